@@ -1,0 +1,1 @@
+"""The levels of the base game: data only, read through importlib.resources."""

@@ -1,0 +1,1 @@
+"""Offline work: capture of repertoires and what benches compare with; loads no world (DESIGN 1)."""
