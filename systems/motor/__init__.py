@@ -1,1 +1,1 @@
-"""Muscles, repertoires and movement: the motor system of Yu and Terzopoulos (1999), sections 3 and 4."""
+"""Muscles, repertoires and movement: Yu and Terzopoulos (1999), sections 3 and 4."""

@@ -1,1 +1,1 @@
-"""The water and what bends in it: flow fields, fibres and plankton (Aliaga and Larboulette 2009)."""
+"""The water and what bends in it: fields, fibres, plankton (Aliaga and Larboulette 2009)."""

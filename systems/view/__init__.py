@@ -1,1 +1,1 @@
-"""What is drawn and how: culling and the draw calls (DESIGN 5); the only systems that import pyglet."""
+"""What is drawn and how: culling and draw calls (DESIGN 5); no other system imports pyglet."""
