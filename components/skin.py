@@ -1,0 +1,92 @@
+"""A species' colours as layers painted one over the other, in the order given (view only).
+
+Places on the body: s from 0 at the nose to 1 at the tail's root along the body, h from -1 at the belly to 1 at the
+back. Colours are linear steps of sRGB, three numbers from 0 to 1.
+"""
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+Colour: TypeAlias = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Gradient:
+    """Colours from belly to back (or nose to tail); the first layer of most skins: countershading."""
+
+    colours: tuple[Colour, ...]
+    along: bool = False
+    "False: belly to back; True: nose to tail"
+
+
+@dataclass(frozen=True)
+class Stripes:
+    """Bars across the body at the places `at` (s), or lines along it (h) where `along` is set."""
+
+    colour: Colour
+    at: tuple[float, ...]
+    width: float
+    softness: float = 0.02
+    along: bool = False
+    edge: Colour | None = None
+    "colour of a thin rim"
+
+
+@dataclass(frozen=True)
+class Spots:
+    """Round spots scattered by a seed between two heights h and two places s."""
+
+    colour: Colour
+    count: int
+    size: float
+    seed: int = 0
+    height: tuple[float, float] = (-1.0, 1.0)
+    reach: tuple[float, float] = (0.1, 0.95)
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A soft ellipse of colour at (s, h), or a ring where `hollow` is set."""
+
+    colour: Colour
+    at: tuple[float, float]
+    size: tuple[float, float]
+    softness: float = 0.15
+    hollow: float = 0.0
+    "0 a full ellipse; 0.8 a thin ring"
+
+
+@dataclass(frozen=True)
+class Scales:
+    """A net of scales that darkens and glints, of `size` s and `strength` 0 to 1."""
+
+    size: float = 0.02
+    strength: float = 0.25
+
+
+@dataclass(frozen=True)
+class Eye:
+    """The eye: place, radius in s, iris and pupil."""
+
+    at: tuple[float, float] = (0.07, 0.25)
+    radius: float = 0.022
+    iris: Colour = (0.9, 0.8, 0.3)
+    pupil: float = 0.5
+    "pupil's radius over the eye's"
+
+
+Layer: TypeAlias = Gradient | Stripes | Spots | Patch | Scales
+
+
+@dataclass(frozen=True)
+class Skin:
+    """Layers of the body, the eye and the fins' colours."""
+
+    layers: tuple[Layer, ...]
+    eye: Eye
+    fin: Colour
+    "colour of dorsal, anal and pectoral fins"
+    tail: Colour
+    "colour of the caudal fin"
+    shine: float = 0.3
+    "strength of the silvery glint"

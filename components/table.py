@@ -1,0 +1,99 @@
+"""Struct-of-arrays tables: one row an entity, capacity doubling, removal by moving the last row (DESIGN 2).
+
+A table declares its columns in the class body and documents each one's unit and shape:
+
+    class FoodTable(Table):
+        position: Float64s = column(np.float64, 3)
+        "[m], (capacity, 3)"
+
+Only rows below `count` live. Views of a column go stale when the table grows, so systems look columns up each tick.
+"""
+
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import DTypeLike
+
+from components.arrays import AnyArray, Int64s
+
+
+class Column(NamedTuple):
+    """One declared column: its type, the shape of one row's value and what a new row holds."""
+
+    dtype: DTypeLike
+    shape: tuple[int, ...]
+    fill: float
+
+
+def column(dtype: DTypeLike, *shape: int, fill: float = 0) -> Any:
+    """Declare a column of `dtype` whose value in one row has `shape`; new rows hold `fill`."""
+    return Column(dtype, shape, fill)
+
+
+class Table:
+    """Arrays of equal capacity, one row an entity; `count` rows live."""
+
+    columns: ClassVar[dict[str, Column]] = {}
+
+    def __init_subclass__(cls) -> None:
+        """Collect the columns that the class body declares."""
+        declared = {n: v for n, v in vars(cls).items() if isinstance(v, Column)}
+        cls.columns = {**cls.columns, **declared}
+
+    def __init__(self, count: int = 0, capacity: int = 16) -> None:
+        self.count = 0
+        self.capacity = max(capacity, count, 1)
+        for name, spec in self.columns.items():
+            setattr(self, name, np.full((self.capacity, *spec.shape), spec.fill, spec.dtype))
+        self.append(count)
+
+    def append(self, number: int) -> slice:
+        """Add `number` rows holding their columns' fill values; return where they stand."""
+        first, self.count = self.count, self.count + number
+        if self.count > self.capacity:
+            self._grow(self.count)
+        for name, spec in self.columns.items():
+            getattr(self, name)[first : self.count] = spec.fill
+        return slice(first, self.count)
+
+    def remove(self, row: int) -> None:
+        """Move the last row into `row` and forget the last. Raise IndexError where no such row lives."""
+        if not 0 <= row < self.count:
+            raise IndexError(f"row {row} of {self.count}")
+        last = self.count - 1
+        for name in self.columns:
+            values = getattr(self, name)
+            values[row] = values[last]
+        self.count = last
+
+    def reorder(self, order: Int64s) -> None:
+        """Put row `order[i]` at i, for a permutation `order` of shape (count,)."""
+        for name in self.columns:
+            values = getattr(self, name)
+            values[: self.count] = values[order]
+
+    def live(self, name: str) -> AnyArray:
+        """Return a view of the living rows of the column `name`."""
+        values: AnyArray = getattr(self, name)[: self.count]
+        return values
+
+    def snapshot(self) -> dict[str, AnyArray]:
+        """Return copies of every column's living rows."""
+        return {name: self.live(name).copy() for name in self.columns}
+
+    def restore(self, saved: dict[str, AnyArray]) -> None:
+        """Make the living rows equal to `saved`, as `snapshot` returned it."""
+        self.count = len(next(iter(saved.values())))
+        if self.count > self.capacity:
+            self._grow(self.count)
+        for name in self.columns:
+            getattr(self, name)[: self.count] = saved[name]
+
+    def _grow(self, needed: int) -> None:
+        while self.capacity < needed:
+            self.capacity *= 2
+        for name, spec in self.columns.items():
+            old = getattr(self, name)
+            new = np.full((self.capacity, *spec.shape), spec.fill, spec.dtype)
+            new[: len(old)] = old
+            setattr(self, name, new)
