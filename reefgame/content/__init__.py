@@ -1,1 +1,1 @@
-"""How species, levels and mods come in: YAML with marks, strict checks, placed errors (DESIGN 6)."""
+"""How species, levels and mods come in: YAML with marks, strict checks (DESIGN 6)."""
