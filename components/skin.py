@@ -17,6 +17,8 @@ class Gradient:
     colours: tuple[Colour, ...]
     along: bool = False
     "False: belly to back; True: nose to tail"
+    at: tuple[float, ...] = ()
+    "place of each colour: h from -1 to 1, or s from 0 to 1; evenly spread where empty"
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,14 @@ class Stripes:
     along: bool = False
     edge: Colour | None = None
     "colour of a thin rim"
+    edge_width: float = 0.012
+    "width of the rim"
+    bow: float = 0.0
+    "how far a bar's middle bulges towards the tail (s), or a line's middle towards the back (h)"
+    reach: tuple[float, float] = (-1.0, 1.0)
+    "the heights (h) between which bars are drawn, or the places (s) between which lines are"
+    wobble: float = 0.0
+    "unevenness of the borders"
 
 
 @dataclass(frozen=True)
@@ -42,6 +52,8 @@ class Spots:
     seed: int = 0
     height: tuple[float, float] = (-1.0, 1.0)
     reach: tuple[float, float] = (0.1, 0.95)
+    in_row: bool = False
+    "evenly spaced along the body instead of scattered"
 
 
 @dataclass(frozen=True)
@@ -54,6 +66,8 @@ class Patch:
     softness: float = 0.15
     hollow: float = 0.0
     "0 a full ellipse; 0.8 a thin ring"
+    tilt_deg: float = 0.0
+    "turn of the ellipse, tail end up"
 
 
 @dataclass(frozen=True)
@@ -90,3 +104,15 @@ class Skin:
     "colour of the caudal fin"
     shine: float = 0.3
     "strength of the silvery glint"
+    fin_edge: Colour | None = None
+    "colour of the outer rim of dorsal and anal fins"
+    tail_edge: Colour | None = None
+    "colour of the caudal fin's upper and lower borders"
+    fin_opacity: float = 0.8
+    "how little shines through the fins' membranes, 0 to 1"
+    pectoral: Colour | None = None
+    "colour of the pectoral and pelvic fins; `fin` where none is given"
+    gill_at: float = 0.21
+    "where the gill cover ends (s)"
+    gill_strength: float = 0.5
+    "how dark the gill cover's line is, 0 to 1"
