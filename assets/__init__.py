@@ -1,1 +1,1 @@
-"""Species, repertoires and textures of the base game: data only, read through importlib.resources."""
+"""Species, repertoires and textures of the base game: data, read through importlib.resources."""
