@@ -1,0 +1,93 @@
+// Light in water, for every fragment shader (FINDINGS 8, Look): what falls on a surface, what water does to it on the
+// way to the eye, and how the sum becomes a colour of the screen. Colours are linear until graded() is called last.
+#include "frame.glsl"
+
+uniform sampler2D water_map;   // r caustic net, g shafts, b soft noise, a fine noise
+
+const vec3 ABSORB = vec3(.078, .036, .030);   // [1/m] at 30 m visibility
+const float SCATTER = .050;                   // [1/m] at 30 m visibility
+const vec3 DEEP = vec3(.004, .066, .150);     // what water scatters to the eye along the horizon
+const vec3 HIGH = vec3(.030, .230, .310);     // ... looking up
+const vec3 LOW = vec3(.002, .030, .085);      // ... looking down
+const vec3 SUN_COLOUR = vec3(1.65, 1.58, 1.40);
+const vec3 SKY_COLOUR = vec3(.30, .52, .62);
+const vec3 SHAFT_COLOUR = vec3(.13, .36, .42);
+
+// A colour as artists give it (sRGB) in linear light.
+vec3 linear(vec3 colour) { return colour * colour; }
+
+// The net of light under a wavy surface, about 0 to 1.6, at a point of the world.
+float caustics(vec3 world) {
+    vec2 at = world.xy - sun.xy / sun.z * world.z;
+    float time = eye.w;
+    vec2 bend = .03 * sin(at.yx * .9 + time * vec2(.7, .6));
+    float a = texture(water_map, at * .118 + bend + time * vec2(.011, .007)).r;
+    float b = texture(water_map, at.yx * vec2(-.143, .143) + bend - time * vec2(.009, .012)).r;
+    return 2.1 * min(a, b) + .35 * a * b;
+}
+
+// Light that falls on a surface of unit `normal`: sun with caustics, sky, and what the sand throws back.
+vec3 sunlight(vec3 world, vec3 normal) {
+    float depth = max(-world.z, 0.);
+    vec3 left = exp(-.55 * ABSORB * depth * (30. / water.x));
+    float facing = max(dot(normal, sun.xyz), 0.);
+    float net = mix(.62, caustics(world), water.y * (1. - .5 * smoothstep(6., 30., depth)));
+    vec3 sky = mix(vec3(.10, .17, .17), SKY_COLOUR, .5 + .5 * normal.z);
+    return left * (SUN_COLOUR * sun.w * facing * (.30 + net) + sky);
+}
+
+// Brightness of the shafts of light between the eye and `reach` [m] along the unit `direction`: the ray crosses three
+// cylinders around the eye whose axis is the sun's, on which shafts are straight lines along that axis.
+float shafts(vec3 direction, float reach) {
+    float along = dot(direction, sun.xyz);
+    vec3 across = direction - along * sun.xyz;
+    float size = max(length(across), .02);
+    vec3 side = across / size;
+    vec3 axis_a = normalize(vec3(sun.z, 0., -sun.x));
+    vec3 axis_b = cross(sun.xyz, axis_a);
+    vec2 turn = vec2(dot(side, axis_a), dot(side, axis_b));
+    vec2 here = vec2(dot(eye.xyz, axis_a), dot(eye.xyz, axis_b));
+    float time = eye.w, sum = 0.;
+    vec3 radii = vec3(3.2, 7.5, 15.), weights = vec3(.55, 1., .9);
+    for (int i = 0; i < 3; i++) {
+        float far = radii[i] / size;
+        vec2 at = (here + turn * radii[i]) * .035;
+        float beam = texture(water_map, at + time * vec2(.0031, -.0017)).g
+                   * (.4 + texture(water_map, at * 1.7 - time * vec2(.0043, .0024)).b);
+        float depth = -eye.z - far * direction.z;
+        float lit = exp(-.10 * max(depth, 0.)) * smoothstep(-.6, .6, depth);
+        sum += weights[i] * beam * lit * exp(-.045 * far) * smoothstep(far * .8, far * 1.2, reach);
+    }
+    return sum;
+}
+
+// What a long way of water along the unit `direction` scatters towards the eye, without shafts.
+vec3 veil(vec3 direction) {
+    vec3 colour = mix(DEEP, direction.z > 0. ? HIGH : LOW, smoothstep(0., .75, abs(direction.z)));
+    float towards = max(dot(direction, sun.xyz), 0.);
+    colour *= 1. + .9 * towards * towards * towards;
+    return colour * exp(-.022 * max(-eye.z - 4., 0.));
+}
+
+// As veil(), with the shafts of light of an endless way.
+vec3 inscatter(vec3 direction) {
+    return veil(direction) + SHAFT_COLOUR * sun.w * shafts(direction, 1e3);
+}
+
+// `colour` of the point `world`, as it reaches the eye.
+vec3 through_water(vec3 colour, vec3 world) {
+    vec3 way = world - eye.xyz;
+    float distance = max(length(way), 1e-3);
+    vec3 direction = way / distance;
+    float thick = 30. / water.x * distance;
+    vec3 kept = exp(-ABSORB * thick);
+    vec3 gained = veil(direction) * (1. - exp(-SCATTER * thick));
+    return colour * kept + gained + SHAFT_COLOUR * sun.w * shafts(direction, distance);
+}
+
+// The colour of the screen for linear light: filmic curve, sRGB-like gamma. Every fragment shader calls it last.
+vec3 graded(vec3 light) {
+    vec3 x = light * 1.05;
+    vec3 film = x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14);
+    return sqrt(clamp(film, 0., 1.));
+}

@@ -1,0 +1,175 @@
+"""Tileable maps that shaders read: caustics, noise, surface waves, sand relief (FINDINGS 8, Look).
+
+Computed once from a fixed seed: noise looked up costs software GL a tenth of noise computed.
+"""
+
+from ctypes import byref, c_uint
+from typing import Any, Final
+
+import numpy as np
+
+from components.arrays import Float64s
+from systems.view.context import ensure_context
+from systems.view.program import SAMPLER_UNITS
+
+SIDE: Final = 256
+"""Texels along a side of each map."""
+CELLS: Final = 9
+"""Caustic cells along a side of the tile."""
+
+
+def spectral_noise(
+    rng: np.random.Generator, slope: float, low: float, high: float, side: int = SIDE
+) -> Float64s:
+    """Return tileable noise of mean 0 and deviation 1, (side, side), by shaping white noise.
+
+    Amplitude falls as frequency ** -slope between `low` and `high` cycles a tile.
+    """
+    spectrum = np.fft.fft2(rng.standard_normal((side, side)))
+    size = _frequency(side)
+    shape = np.where((size >= low) & (size <= high), np.maximum(size, 1.0) ** -slope, 0.0)
+    noise = np.fft.ifft2(spectrum * shape).real
+    return np.asarray(noise / noise.std())
+
+
+def voronoi_gap(rng: np.random.Generator, cells: int, warp: float, side: int = SIDE) -> Float64s:
+    """Return F2 - F1 of a tileable jittered Voronoi pattern [cells], (side, side).
+
+    Smooth noise of deviation `warp` [cells] displaces the lookup, which bends the borders.
+    """
+    grid = (np.arange(side) + 0.5) * cells / side
+    x = grid[:, None] + warp * spectral_noise(rng, 2.0, 1, 12, side)
+    y = grid[None, :] + warp * spectral_noise(rng, 2.0, 1, 12, side)
+    points = rng.uniform(0.05, 0.95, (cells, cells, 2))
+    ix, iy = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
+    near = [
+        _distance(points, x, y, ix + i, iy + j, cells) for i in range(-2, 3) for j in range(-2, 3)
+    ]
+    nearest = np.partition(np.stack(near), 1, axis=0)
+    return np.asarray(nearest[1] - nearest[0])
+
+
+def _distance(points: Float64s, x: Float64s, y: Float64s, i: Any, j: Any, cells: int) -> Float64s:
+    point = points[i % cells, j % cells]
+    return np.asarray(np.hypot(i + point[..., 0] - x, j + point[..., 1] - y))
+
+
+def water_map() -> Float64s:
+    """Return caustic net, shafts of light, soft noise, fine noise; (SIDE, SIDE, 4) of 0..1."""
+    rng = np.random.default_rng(1999)
+    gap = voronoi_gap(rng, CELLS, 0.22)
+    net = np.exp(-gap * 5.0)
+    shafts = _unit(spectral_noise(rng, 1.0, 3, 22), 0.6, 2.6)
+    soft = _unit(spectral_noise(rng, 1.5, 1, 40), -2.2, 2.2)
+    fine = _unit(spectral_noise(rng, 0.6, 6, 128), -2.4, 2.4)
+    return np.stack((net, shafts, soft, fine), axis=-1)
+
+
+def surface_map() -> Float64s:
+    """Return the surface's slopes along x and y (.5: level), height, clouds, (SIDE, SIDE, 4)."""
+    rng = np.random.default_rng(1994)
+    height = spectral_noise(rng, 1.9, 2, 90)
+    height = height + 0.7 * np.exp(-voronoi_gap(rng, 7, 0.3) * 3.0)
+    slope_x = np.roll(height, -1, 0) - np.roll(height, 1, 0)
+    slope_y = np.roll(height, -1, 1) - np.roll(height, 1, 1)
+    spread = 3.0 * np.sqrt((slope_x**2 + slope_y**2).mean() / 2)
+    clouds = _unit(spectral_noise(rng, 1.7, 1, 60), -2.0, 2.0)
+    shape = (_unit(slope_x, -spread, spread), _unit(slope_y, -spread, spread))
+    return np.stack((*shape, _unit(height, -2.5, 3.0), clouds), axis=-1)
+
+
+def relief_map() -> Float64s:
+    """Return the sand's slopes along x and y (.5: level), pebbles, mottling, (SIDE, SIDE, 4)."""
+    rng = np.random.default_rng(2009)
+    ripples = _ripples(rng)
+    slope_x = np.roll(ripples, -1, 0) - np.roll(ripples, 1, 0)
+    slope_y = np.roll(ripples, -1, 1) - np.roll(ripples, 1, 1)
+    spread = 3.0 * max(slope_x.std(), slope_y.std())
+    pebbles = _pebbles(rng)
+    mottled = _unit(spectral_noise(rng, 1.1, 2, 100), -2.2, 2.2)
+    shape = (_unit(slope_x, -spread, spread), _unit(slope_y, -spread, spread))
+    return np.stack((*shape, pebbles, mottled), axis=-1)
+
+
+def _ripples(rng: np.random.Generator) -> Float64s:
+    """Return the height of sand ripples: crests along y that wander and fork, (SIDE, SIDE)."""
+    across = np.arange(SIDE)[:, None] * (2 * np.pi * 11 / SIDE)
+    phase = across + 1.5 * spectral_noise(rng, 1.8, 1, 9)
+    crests = 0.6 * np.sin(phase) + 0.25 * np.cos(2 * phase)
+    amount = 0.65 + 0.35 * np.tanh(spectral_noise(rng, 1.5, 1, 6))
+    return np.asarray(crests * amount + 0.16 * spectral_noise(rng, 0.9, 4, 120))
+
+
+def _pebbles(rng: np.random.Generator) -> Float64s:
+    """Return .5 for bare sand, darker and brighter in small round spots, (SIDE, SIDE)."""
+    picture = np.full((SIDE, SIDE), 0.5)
+    grid = np.arange(SIDE)
+    for x, y, radius, tone in rng.uniform((0, 0, 0.8, 0), (SIDE, SIDE, 2.6, 1), (150, 4)):
+        far_x = (grid - x + SIDE / 2) % SIDE - SIDE / 2
+        far_y = (grid - y + SIDE / 2) % SIDE - SIDE / 2
+        away = np.hypot(far_x[:, None], 1.3 * far_y[None, :])
+        cover = np.clip(radius + 0.5 - away, 0, 1)
+        picture = picture * (1 - cover) + cover * (0.08 + 0.84 * tone)
+    return picture
+
+
+def _frequency(side: int) -> Float64s:
+    cycles = np.fft.fftfreq(side, 1 / side)
+    return np.asarray(np.hypot(cycles[:, None], cycles[None, :]))
+
+
+def _unit(values: Float64s, low: float, high: float) -> Float64s:
+    return np.clip((values - low) / (high - low), 0.0, 1.0)
+
+
+def upload(values: Float64s) -> c_uint:
+    """Return a new repeating, mipmapped RGBA8 texture of `values`, (rows, columns, 4) of 0..1."""
+    from pyglet import gl
+
+    texels = np.ascontiguousarray(np.rint(values * 255).astype(np.uint8))
+    texture = c_uint()
+    gl.glGenTextures(1, byref(texture))
+    gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
+    gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
+    gl.glTexImage2D(
+        *(gl.GL_TEXTURE_2D, 0, gl.GL_RGBA8, values.shape[1], values.shape[0], 0),
+        *(gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, texels.ctypes.data),
+    )
+    for name, value in (
+        (gl.GL_TEXTURE_WRAP_S, gl.GL_REPEAT),
+        (gl.GL_TEXTURE_WRAP_T, gl.GL_REPEAT),
+        (gl.GL_TEXTURE_MAG_FILTER, gl.GL_LINEAR),
+        (gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR),
+    ):
+        gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
+    gl.glGenerateMipmap(gl.GL_TEXTURE_2D)
+    return texture
+
+
+class WaterMaps:
+    """The three maps as textures, for the units that `SAMPLER_UNITS` names."""
+
+    def __init__(self) -> None:
+        ensure_context()
+        makers = {"water_map": water_map, "surface_map": surface_map, "relief_map": relief_map}
+        # Maps are indexed [x, y]; a texture's rows run along y.
+        self._textures = {
+            unit: upload(makers[name]().swapaxes(0, 1)) for name, unit in SAMPLER_UNITS.items()
+        }
+
+    def bind(self) -> None:
+        """Bind the maps, and leave unit 0 active."""
+        from pyglet import gl
+
+        for unit, texture in self._textures.items():
+            gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+            gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+
+    def delete(self) -> None:
+        """Free the textures."""
+        from pyglet import gl
+
+        for texture in self._textures.values():
+            gl.glDeleteTextures(1, byref(texture))
+        self._textures = {}
