@@ -1,8 +1,8 @@
 """The shape of a species' body, as a modder draws it: five stations and a tail (FINDINGS 1, 1b).
 
-All lengths are in body lengths (BL) from the nose backwards. Node 0 is the nose; rings of four nodes, 1-4 ... 17-20, in
-ring order top-left, top-right, bottom-right, bottom-left (left is -z); 21 and 22 are the upper and lower tips of the
-caudal fin.
+All lengths are in body lengths (BL) from the nose backwards. Node 0 is the nose; rings of four
+nodes, 1-4 ... 17-20, in ring order top-left, top-right, bottom-right, bottom-left (left is -z); 21
+and 22 are the upper and lower tips of the caudal fin.
 """
 
 from dataclasses import dataclass

@@ -30,6 +30,11 @@ class Camera:
     slope: float = 0.5773502691896257
     "tangent of half the vertical field of view"
 
+    @property
+    def axes(self) -> Float64s:
+        """Forward, right and up as rows, (3, 3)."""
+        return np.array([self.forward, self.right, self.up])
+
 
 def camera_at(eye: Float64s, yaw: float, pitch: float, slope: float = 0.5773502691896257) -> Camera:
     """Return the camera at `eye` [m] that looks along `yaw` and `pitch` [rad]; exact over machines."""
@@ -47,4 +52,6 @@ def camera_towards(eye: Float64s, at: Float64s, slope: float = 0.577350269189625
     right = np.cross(forward, (0.0, 0.0, 1.0))
     size = float(np.sqrt(right @ right))
     right = right / size if size > 1e-6 else np.array([0.0, -1.0, 0.0])
-    return Camera(np.asarray(eye, np.float64).copy(), forward, right, np.cross(right, forward), slope)
+    return Camera(
+        np.asarray(eye, np.float64).copy(), forward, right, np.cross(right, forward), slope
+    )

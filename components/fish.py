@@ -1,7 +1,8 @@
 """The fishes: who is where, how big and which way up (DESIGN 2).
 
-`Fish` is the esper component, a handle that holds a stable id and nothing else. `Population` keeps the three tables of
-the fishes in step, row for row, and knows the row of an id. Rows move (removal, sorting into grid order); ids never do.
+`Fish` is the esper component, a handle that holds a stable id and nothing else. `Population` keeps
+the three tables of the fishes in step, row for row, and knows the row of an id. Rows move (removal,
+sorting into grid order); ids never do.
 """
 
 from dataclasses import dataclass, field

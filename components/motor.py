@@ -1,8 +1,9 @@
 """What each fish's motor system plays and is asked to play (papers/000 sections 5 and 6.1).
 
-The rows stand in step with `FishTable`'s (components/fish.py). Shape rows index `RepertoireLibrary.shape`. The shape
-shown at the end of a tick is shape[shape_row] + warp_weight * (shape[warp_from] - shape[warp_to]), in body lengths;
-the view blends it with the one of the tick before, whose row and weight stand beside.
+The rows stand in step with `FishTable`'s (components/fish.py). Shape rows index
+`RepertoireLibrary.shape`. The shape shown at the end of a tick is shape[shape_row] + warp_weight *
+(shape[warp_from] - shape[warp_to]), in body lengths; the view blends it with the one of the tick
+before, whose row and weight stand beside.
 """
 
 import numpy as np

@@ -1,8 +1,9 @@
-"""Action repertoires: captured segments, their file, and the library packed for kernels (papers/000 section 4).
+"""Action repertoires: captured segments, their file, and the library packed for kernels (papers/000
+section 4).
 
-Entry k of a segment holds M_k = R_k^T R_{k+1} (body space: FINDINGS 1 corrects eq. 6), t_k = R_k^T (o_{k+1} - o_k) in
-BL (eq. 7) and d_k, the 23 nodes in body axes at frame k + 1 in BL (eq. 8). Playing entry k: R <- R M_k,
-o <- o + R_before (length t_k), nodes = o + R (length d_k).
+Entry k of a segment holds M_k = R_k^T R_{k+1} (body space: FINDINGS 1 corrects eq. 6), t_k = R_k^T
+(o_{k+1} - o_k) in BL (eq. 7) and d_k, the 23 nodes in body axes at frame k + 1 in BL (eq. 8).
+Playing entry k: R <- R M_k, o <- o + R_before (length t_k), nodes = o + R (length d_k).
 """
 
 from dataclasses import dataclass

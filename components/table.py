@@ -1,4 +1,5 @@
-"""Struct-of-arrays tables: one row an entity, capacity doubling, removal by moving the last row (DESIGN 2).
+"""Struct-of-arrays tables: one row an entity, capacity doubling, removal by moving the last row
+(DESIGN 2).
 
 A table declares its columns in the class body and documents each one's unit and shape:
 
@@ -6,7 +7,8 @@ A table declares its columns in the class body and documents each one's unit and
         position: Float64s = column(np.float64, 3)
         "[m], (capacity, 3)"
 
-Only rows below `count` live. Views of a column go stale when the table grows, so systems look columns up each tick.
+Only rows below `count` live. Views of a column go stale when the table grows, so systems look
+columns up each tick.
 """
 
 from typing import Any, ClassVar, NamedTuple

@@ -1,7 +1,8 @@
-"""Our own sine and cosine: + - * / and comparisons only, so every machine computes the same bits (FINDINGS 6).
+"""Our own sine and cosine: + - * / and comparisons only, so every machine computes the same bits
+(FINDINGS 6).
 
-Range reduction to [-pi/4, pi/4] in two parts of pi/2 (Cody and Waite), then Taylor polynomials of degree 15 and 16:
-the error stays below 4e-16 for |angle| < 1e5, against the C library in a test.
+Range reduction to [-pi/4, pi/4] in two parts of pi/2 (Cody and Waite), then Taylor polynomials of
+degree 15 and 16: the error stays below 4e-16 for |angle| < 1e5, against the C library in a test.
 """
 
 from math import floor

@@ -1,0 +1,146 @@
+"""The world of one dive: all tables, the static content and the systems that advance them.
+
+`World.build` makes it from content and a seed; `tick` advances it by 1/60 s; `snapshot` and
+`restore` serve saves, scrubbing and desync hunting: restored anywhere, the checksums that follow
+are equal.
+"""
+
+from components.clock import TICKS_PER_SECOND, Clock
+from components.cohort import NEVER, CohortTable, Roster
+from components.command import Command, CommandTable
+from components.entities import Entities
+from components.fish import Population
+from components.landscape import build_terrain
+from components.objective import ObjectiveTable, Photograph
+from components.repertoire import RepertoireLibrary, pack
+from components.species import Species
+from components.submarine import SubmarineTable
+from components.table import Table
+from components.terrain import Terrain, build_terrain
+from components.trigonometry import DEGREE
+from reefgame.checksum import table_checksum
+from reefgame.content import Content
+from reefgame.content.schema.level import Level, RockPlace
+from reefgame.schedule import schedule, spawner
+from reefgame.snapshot import Snapshot
+
+
+class World:
+    """One dive. Build it with `World.build(content, seed)`."""
+
+    def __init__(self, content: Content, seed: int) -> None:
+        self.content = content
+        self.level: Level = content.level
+        self.species: tuple[Species, ...] = content.species
+        self.library: RepertoireLibrary = pack([s.repertoire for s in content.species])
+        self.terrain: Terrain = _terrain(content)
+        self.clock = Clock(seed)
+        self.roster = Roster()
+        self.cohorts = _cohorts(content)
+        self.population = Population()
+        self.entities = Entities()
+        self.submarine = _submarine(content.level)
+        self.commands = CommandTable()
+        self.goals = _goals(content)
+        self.objective = ObjectiveTable(count=len(self.goals))
+        self.spawn = spawner(self)
+        self.systems = schedule(self)
+
+    @classmethod
+    def build(cls, content: Content, seed: int = 0) -> "World":
+        """Return the world of the content's level before its first tick, the first groups in it."""
+        world = cls(content, seed)
+        world.spawn()
+        return world
+
+    def tick(self, command: Command = Command()) -> None:  # noqa: B008 (an immutable tuple)
+        """Advance everything by 1/60 s under the pilot's command."""
+        self.commands.give(command)
+        for system in self.systems:
+            system()
+        self.clock.tick[0] += 1
+
+    @property
+    def tables(self) -> dict[str, Table]:
+        """Every table that holds state, by name, in the order of their checksums."""
+        return {
+            "clock": self.clock,
+            "commands": self.commands,
+            "submarine": self.submarine,
+            "roster": self.roster,
+            "cohorts": self.cohorts,
+            "fish": self.population.fish,
+            "mind": self.population.mind,
+            "motor": self.population.motor,
+            "objective": self.objective,
+        }
+
+    def checksums(self) -> dict[str, int]:
+        """Return the 64-bit checksum of every table, by name."""
+        return {name: table_checksum(table) for name, table in self.tables.items()}
+
+    def snapshot(self) -> Snapshot:
+        """Return a copy of all state."""
+        return Snapshot.of(self.tables)
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Make all state equal to the snapshot, of this level."""
+        snapshot.into(self.tables)
+        self.population.reindex()
+        fish = self.population.fish
+        self.entities.sync(fish.id[: fish.count].tolist())
+
+
+def _terrain(content: Content) -> Terrain:
+    level = content.level
+    names = [species.name for species in content.species]
+    shape = (
+        level.world.radius_m,
+        level.world.depth_m,
+        level.seabed.relief_m,
+        level.seabed.feature_m,
+        level.seabed.seed,
+    )
+    bare = build_terrain(*shape)
+    rocks = [_rock(bare, rock) for rock in level.rocks]
+    homes = [(*home.at_m, _ground(bare, *home.at_m)) for home in level.homes]
+    return build_terrain(*shape, rocks, homes, [names.index(home.species) for home in level.homes])
+
+
+def _ground(terrain: Terrain, x: float, y: float) -> float:
+    return ground_height(terrain.height, terrain.extent, terrain.cell, x, y)
+
+
+def _rock(terrain: Terrain, rock: RockPlace) -> Rock:
+    """Return the rock as it lies on the ground, the fraction `buried` of its height below it."""
+    x, y = rock.at_m
+    z = _ground(terrain, x, y) + rock.radii_m[2] * (1.0 - 2.0 * rock.buried)
+    return Rock((x, y, z), rock.radii_m, rock.yaw_deg)
+
+
+def _cohorts(content: Content) -> CohortTable:
+    names = [species.name for species in content.species]
+    groups = content.level.fishes
+    table = CohortTable(count=len(groups))
+    for at, group in enumerate(groups):
+        table.species[at] = names.index(group.species)
+        table.number[at] = group.count
+        table.around[at] = group.around_m
+        table.within[at] = group.within_m
+        table.arrives[at] = round(group.arrives_s * TICKS_PER_SECOND)
+        leaves = group.leaves_s
+        table.leaves[at] = NEVER if leaves is None else round(leaves * TICKS_PER_SECOND)
+    return table
+
+
+def _submarine(level: Level) -> SubmarineTable:
+    table = SubmarineTable(count=1)
+    table.position[0] = table.last_position[0] = level.submarine.at_m
+    table.yaw[0] = table.last_yaw[0] = level.submarine.heading_deg * DEGREE
+    return table
+
+
+def _goals(content: Content) -> tuple[Photograph, ...]:
+    wanted = content.level.objective.photograph
+    names = [species.name for species in content.species]
+    return (Photograph(names.index(wanted.species), wanted.count, wanted.within_m),)
