@@ -1,0 +1,213 @@
+"""The ground and the bounds of the world: a height field, implicit rocks, home points, a cylinder
+and the surface.
+
+Fishes and submarine test the same numbers that the view draws (papers/000, 6.2). Axes: z up, the
+surface at z = 0. Every kernel here takes the whole `Terrain`, but for the ground's, which the view
+calls with the height field alone.
+"""
+
+from collections.abc import Sequence
+from math import floor, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from components.arrays import Float64s, Int32s
+from components.kernels import row
+from components.rocks import SQUARE, Rock, list_rocks, pack_rocks
+
+
+class Terrain(NamedTuple):
+    """The static world, as kernels read it. H grid points a side, K rocks, P home points."""
+
+    radius: float
+    "[m] of the cylinder that bounds the world, around the z axis"
+    depth: float
+    "[m] of the deepest ground, a positive number"
+    cell: float
+    "[m] between grid points of the height field"
+    height: Float64s
+    "[m] z of the ground at grid point (i, j): x = -extent + i cell, y = -extent + j cell, (H, H)"
+    extent: float
+    "[m] half the side of the height field; larger than the radius"
+    rock_centre: Float64s
+    "[m], (K, 3)"
+    rock_radii: Float64s
+    "[m] semi-axes of an ellipsoid, (K, 3)"
+    rock_axes: Float64s
+    "rotation of the rock about z: cosine and sine of its yaw, (K, 2)"
+    home: Float64s
+    "[m] home points, (P, 3)"
+    home_species: Int32s
+    "row in the species table of who lives there, (P,)"
+    rock_squares: int
+    "squares a side, from -extent"
+    rock_first: Int32s
+    "where the list of square i rock_squares + j begins, (rock_squares^2 + 1,)"
+    rock_list: Int32s
+    "rocks within `ROCK_REACH` of each square, square by square"
+
+    def with_rocks(self, rocks: Sequence[Rock]) -> "Terrain":
+        """Return this world with these rocks and no others. Raise ValueError for a radius <= 0."""
+        centre, radii, axes = pack_rocks(rocks)
+        side, first, listed = list_rocks(centre, radii, axes, self.extent)
+        return self._replace(
+            rock_centre=centre,
+            rock_radii=radii,
+            rock_axes=axes,
+            rock_squares=side,
+            rock_first=first,
+            rock_list=listed,
+        )
+
+    def with_homes(self, homes: Sequence[tuple[tuple[float, ...], int]]) -> "Terrain":
+        """Return this world with these home points: ((x, y) or (x, y, z) [m], species row) each.
+
+        A point without z stands on the ground.
+        """
+        points = np.zeros((len(homes), 3))
+        for point, (at, _) in zip(points, homes, strict=True):
+            point[: len(at)] = at
+            if len(at) == 2:
+                point[2] = ground_height(self.height, self.extent, self.cell, point[0], point[1])
+        return self._replace(
+            home=points, home_species=np.array([kind for _, kind in homes], np.int32)
+        )
+
+
+@row
+def ground(
+    height: Float64s, extent: float, cell: float, x: float, y: float
+) -> tuple[float, float, float]:
+    """Return the ground's z [m] at (x, y), bilinear, and its slopes dz/dx and dz/dy."""
+    last = height.shape[0] - 1
+    u = min(max((x + extent) / cell, 0.0), last - 1e-9)
+    v = min(max((y + extent) / cell, 0.0), last - 1e-9)
+    i, j = int(u), int(v)
+    u -= i
+    v -= j
+    a, b, c, d = height[i, j], height[i + 1, j], height[i, j + 1], height[i + 1, j + 1]
+    low, high = a + u * (b - a), c + u * (d - c)
+    dx = ((b - a) * (1.0 - v) + (d - c) * v) / cell
+    return low + v * (high - low), dx, (high - low) / cell
+
+
+@row
+def ground_height(height: Float64s, extent: float, cell: float, x: float, y: float) -> float:
+    """Return the ground's z [m] at (x, y): continuous, and the same that the view draws."""
+    return ground(height, extent, cell, x, y)[0]
+
+
+@row
+def ground_normal(
+    height: Float64s, extent: float, cell: float, x: float, y: float
+) -> tuple[float, float, float]:
+    """Return the ground's unit normal at (x, y), from central differences: continuous."""
+    east = ground(height, extent, cell, x + cell, y)[0]
+    west = ground(height, extent, cell, x - cell, y)[0]
+    north = ground(height, extent, cell, x, y + cell)[0]
+    south = ground(height, extent, cell, x, y - cell)[0]
+    dx, dy = (east - west) / (2.0 * cell), (north - south) / (2.0 * cell)
+    size = sqrt(dx * dx + dy * dy + 1.0)
+    return -dx / size, -dy / size, 1.0 / size
+
+
+@row
+def rock_distance(terrain: Terrain, rock: int, x: float, y: float, z: float) -> float:
+    """Return the distance [m] to a rock, negative inside: exact sign, approximate size."""
+    return rock_clearance(terrain, rock, x, y, z)[0]
+
+
+@row
+def rock_clearance(
+    terrain: Terrain, rock: int, x: float, y: float, z: float
+) -> tuple[float, float, float, float]:
+    """Return k0 (k0 - 1) / k1, with k0 = |p / r| and k1 = |p / r^2|, and its gradient's direction."""
+    a, b, c = terrain.rock_radii[rock, 0], terrain.rock_radii[rock, 1], terrain.rock_radii[rock, 2]
+    u, v, w = to_rock(terrain, rock, x, y, z)
+    k0 = sqrt((u / a) * (u / a) + (v / b) * (v / b) + (w / c) * (w / c))
+    gu, gv, gw = u / (a * a), v / (b * b), w / (c * c)
+    k1 = sqrt(gu * gu + gv * gv + gw * gw)
+    if k1 < 1e-12:
+        return -min(a, min(b, c)), 0.0, 0.0, 1.0
+    cosine, sine = terrain.rock_axes[rock, 0], terrain.rock_axes[rock, 1]
+    nx, ny = (cosine * gu - sine * gv) / k1, (sine * gu + cosine * gv) / k1
+    return k0 * (k0 - 1.0) / k1, nx, ny, gw / k1
+
+
+@row
+def to_rock(
+    terrain: Terrain, rock: int, x: float, y: float, z: float
+) -> tuple[float, float, float]:
+    """Return a point in a rock's own axes [m], from its centre."""
+    cosine, sine = terrain.rock_axes[rock, 0], terrain.rock_axes[rock, 1]
+    dx, dy = x - terrain.rock_centre[rock, 0], y - terrain.rock_centre[rock, 1]
+    return cosine * dx + sine * dy, cosine * dy - sine * dx, z - terrain.rock_centre[rock, 2]
+
+
+@row
+def rock_square(terrain: Terrain, x: float, y: float) -> int:
+    """Return the square whose list of rocks serves (x, y)."""
+    last = terrain.rock_squares - 1
+    i = min(max(floor((x + terrain.extent) / SQUARE), 0), last)
+    j = min(max(floor((y + terrain.extent) / SQUARE), 0), last)
+    return i * terrain.rock_squares + j
+
+
+@row
+def clearance(terrain: Terrain, x: float, y: float, z: float) -> tuple[float, float, float, float]:
+    """Return the distance [m] to the nearest of ground, surface, cylinder and rocks, and the unit
+    way out of it.
+
+    Negative inside; rocks farther than `ROCK_REACH` may be missed.
+    """
+    h, dx, dy = ground(terrain.height, terrain.extent, terrain.cell, x, y)
+    nz = 1.0 / sqrt(dx * dx + dy * dy + 1.0)
+    best, bx, by, bz = (z - h) * nz, -dx * nz, -dy * nz, nz
+    if -z < best:
+        best, bx, by, bz = -z, 0.0, 0.0, -1.0
+    out = sqrt(x * x + y * y)
+    if terrain.radius - out < best:
+        best, bx, by, bz = terrain.radius - out, -x / (out + 1e-12), -y / (out + 1e-12), 0.0
+    square = rock_square(terrain, x, y)
+    for k in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
+        d, nx, ny, nz = rock_clearance(terrain, terrain.rock_list[k], x, y, z)
+        if d < best:
+            best, bx, by, bz = d, nx, ny, nz
+    return best, bx, by, bz
+
+
+@row
+def _rock_hides(terrain: Terrain, rock: int, a: Float64s, b: Float64s) -> bool:
+    """Return whether the segment from a to b meets a rock, a unit sphere in its scaled axes."""
+    u, v, w = to_rock(terrain, rock, a[0], a[1], a[2])
+    s, t, q = to_rock(terrain, rock, b[0], b[1], b[2])
+    ra, rb, rc = (
+        terrain.rock_radii[rock, 0],
+        terrain.rock_radii[rock, 1],
+        terrain.rock_radii[rock, 2],
+    )
+    s, t, q = (s - u) / ra, (t - v) / rb, (q - w) / rc
+    u, v, w = u / ra, v / rb, w / rc
+    along = s * s + t * t + q * q
+    near = min(max(-(u * s + v * t + w * q) / (along + 1e-30), 0.0), 1.0)
+    u, v, w = u + near * s, v + near * t, w + near * q
+    return bool(u * u + v * v + w * w < 1.0)
+
+
+@row
+def sees(terrain: Terrain, a: Float64s, b: Float64s) -> bool:
+    """Return whether nothing of rock or ground stands between the points a and b [m], (3,) each."""
+    for rock in range(len(terrain.rock_centre)):
+        if _rock_hides(terrain, rock, a, b):
+            return False
+    dx, dy, dz = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+    steps = int(2.0 * sqrt(dx * dx + dy * dy) / terrain.cell) + 1
+    for k in range(steps + 1):
+        t = k / steps
+        h = ground_height(
+            terrain.height, terrain.extent, terrain.cell, a[0] + t * dx, a[1] + t * dy
+        )
+        if a[2] + t * dz < h:
+            return False
+    return True
