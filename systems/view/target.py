@@ -1,6 +1,7 @@
 """A framebuffer of our own, reading it back, and PNG files.
 
-A headless window cannot be resized (FINDINGS 8), so pictures are never drawn into one. A PNG is written whole or not at all: into a temporary file beside it, then renamed.
+A headless window cannot be resized (FINDINGS 8), so pictures are never drawn into one. A PNG is
+written whole or not at all: into a temporary file beside it, then renamed.
 """
 
 import os

@@ -58,8 +58,8 @@ def water_map() -> Float64s:
     """Return caustic net, shafts of light, soft noise, fine noise; (SIDE, SIDE, 4) of 0..1."""
     rng = np.random.default_rng(1999)
     gap = voronoi_gap(rng, CELLS, 0.22)
-    net = np.exp(-gap * 5.0)
-    shafts = _unit(spectral_noise(rng, 1.0, 3, 22), 0.6, 2.6)
+    net = np.exp(-gap * 6.0)
+    shafts = _unit(spectral_noise(rng, 0.9, 3, 34), 0.55, 2.7)
     soft = _unit(spectral_noise(rng, 1.5, 1, 40), -2.2, 2.2)
     fine = _unit(spectral_noise(rng, 0.6, 6, 128), -2.4, 2.4)
     return np.stack((net, shafts, soft, fine), axis=-1)

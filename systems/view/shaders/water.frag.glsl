@@ -4,29 +4,29 @@ uniform sampler2D surface_map;   // rg slopes, b height, a clouds
 in vec3 ray;
 out vec4 colour;
 
-// The sky through the surface, along the unit `direction` in air.
-vec3 sky(vec3 direction, vec2 at) {
-    float towards = max(dot(direction, normalize(vec3(sun.xy * 1.333, sqrt(max(1. - 1.777 * dot(sun.xy, sun.xy), .01))))), 0.);
-    vec3 blue = mix(vec3(.75, .95, 1.), vec3(.34, .62, .80), direction.z);
-    return blue + sun.w * (vec3(.5, .5, .45) * pow(towards, 8.) + vec3(14., 13., 11.) * pow(towards, 350.));
-}
-
-vec3 surface(vec3 direction) {
-    float far = -eye.z / direction.z;
+// The surface where the ray of the unit `direction` meets it: windows to a bright sky that waves tear open, more of
+// them overhead (Snell), mirrored deep water between, and bright veins where the swell bends light together.
+vec3 surface(vec3 direction, float far) {
     vec2 at = eye.xy + direction.xy * far;
     float time = eye.w;
-    vec4 large = texture(surface_map, at * .030 + time * vec2(.006, .004));
-    vec4 small = texture(surface_map, at.yx * .113 - time * vec2(.013, .009));
-    vec2 slope = ((large.rg - .5) * 1.1 + (small.gr - .5) * .75) * .62 * water.z;
-    vec3 normal = normalize(vec3(slope, -1.));          // faces the water
-    float into = max(-dot(direction, normal), .02);
-    vec3 bent = refract(direction, normal, 1.333);
-    vec3 back = reflect(direction, normal);
-    float open = step(.25, dot(bent, bent));
-    float fresnel = mix(1., .02 + .98 * pow(1. - max(-dot(bent, normal), 0.), 5.), open);
-    vec3 mirrored = veil(vec3(back.xy, -abs(back.z))) * 1.15;
-    vec3 seen = mix(sky(bent, at), mirrored, fresnel);
-    return seen;
+    vec4 large = texture(surface_map, at * vec2(.026, .034) + time * vec2(.006, .004));
+    vec4 small = texture(surface_map, at.yx * .105 - time * vec2(.013, .009));
+    vec2 slope = ((large.rg - .5) + (small.gr - .5) * .9) * water.z;
+    float swell = .58 * large.a + .24 * small.b + .18 * small.a;
+    float open = direction.z * 1.15 + (swell - .5) * 1.7 + .35 * dot(slope, normalize(direction.xy + .001));
+    float window = smoothstep(.40, .74, open) * (.62 + .5 * small.a);
+    float rim = 1. - smoothstep(0., .035 + .0012 * far, abs(open - .43));
+    float vein = 1. - smoothstep(0., .03 + .001 * far, abs(small.a - .5 + .4 * (large.b - .5)));
+
+    vec3 air = normalize(vec3(sun.xy * 1.333, sqrt(max(1. - 1.777 * dot(sun.xy, sun.xy), .01))));
+    vec3 out_of = normalize(vec3(direction.xy * 1.333 + slope * .8, max(direction.z, .3)));
+    float glare = max(dot(out_of, air), 0.);
+    glare *= glare * glare * glare;
+    float cloud = smoothstep(.30, .85, swell + .45 * (small.b - .5) + .25 * (direction.z - .5));
+    vec3 sky = mix(vec3(.26, .50, .55), vec3(.78, .84, .84), cloud);
+    sky += sun.w * vec3(1., .95, .85) * (.5 * glare + 9. * pow(glare, 48.));
+    vec3 mirrored = veil(vec3(direction.xy, -.3 * direction.z)) * (1.1 + 1.3 * slope.x + .9 * slope.y);
+    return mix(mirrored, sky, min(window, .95)) + vec3(.25, .42, .45) * (.55 * rim + .35 * vein) * (1. - .6 * window);
 }
 
 void main() {
@@ -34,7 +34,7 @@ void main() {
     vec3 light;
     if (direction.z > .004) {
         float far = min(-eye.z / direction.z, 200.);
-        light = through_water(surface(direction), eye.xyz + direction * far);
+        light = through_water(surface(direction, far), eye.xyz + direction * far);
     } else {
         light = inscatter(direction);
     }

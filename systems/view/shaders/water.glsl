@@ -6,11 +6,11 @@ uniform sampler2D water_map;   // r caustic net, g shafts, b soft noise, a fine 
 
 const vec3 ABSORB = vec3(.078, .036, .030);   // [1/m] at 30 m visibility
 const float SCATTER = .050;                   // [1/m] at 30 m visibility
-const vec3 DEEP = vec3(.004, .066, .150);     // what water scatters to the eye along the horizon
+const vec3 DEEP = vec3(.004, .074, .152);     // what water scatters to the eye along the horizon
 const vec3 HIGH = vec3(.030, .230, .310);     // ... looking up
 const vec3 LOW = vec3(.002, .030, .085);      // ... looking down
-const vec3 SUN_COLOUR = vec3(1.65, 1.58, 1.40);
-const vec3 SKY_COLOUR = vec3(.30, .52, .62);
+const vec3 SUN_COLOUR = vec3(1.22, 1.12, .93);
+const vec3 SKY_COLOUR = vec3(.17, .33, .36);
 const vec3 SHAFT_COLOUR = vec3(.13, .36, .42);
 
 // A colour as artists give it (sRGB) in linear light.
@@ -21,20 +21,24 @@ float caustics(vec3 world) {
     vec2 at = world.xy - sun.xy / sun.z * world.z;
     float time = eye.w;
     vec2 bend = .03 * sin(at.yx * .9 + time * vec2(.7, .6));
-    float a = texture(water_map, at * .118 + bend + time * vec2(.011, .007)).r;
-    float b = texture(water_map, at.yx * vec2(-.143, .143) + bend - time * vec2(.009, .012)).r;
-    return 2.1 * min(a, b) + .35 * a * b;
+    float a = texture(water_map, at * .165 + bend + time * vec2(.011, .007)).r;
+    float b = texture(water_map, at.yx * vec2(-.205, .205) + bend - time * vec2(.009, .012)).r;
+    return 1.9 * min(a, b) + .9 * a * b;
 }
 
-// Light that falls on a surface of unit `normal`: sun with caustics, sky, and what the sand throws back.
-vec3 sunlight(vec3 world, vec3 normal) {
+// Light on a surface of unit `normal` to which `reached` of the sky (x) and of the sun (y) come, 0 to 1.
+vec3 sunlight_in(vec3 world, vec3 normal, vec2 reached) {
     float depth = max(-world.z, 0.);
     vec3 left = exp(-.55 * ABSORB * depth * (30. / water.x));
     float facing = max(dot(normal, sun.xyz), 0.);
-    float net = mix(.62, caustics(world), water.y * (1. - .5 * smoothstep(6., 30., depth)));
-    vec3 sky = mix(vec3(.10, .17, .17), SKY_COLOUR, .5 + .5 * normal.z);
-    return left * (SUN_COLOUR * sun.w * facing * (.30 + net) + sky);
+    float clear = water.y * (1. - .5 * smoothstep(6., 30., depth)) * smoothstep(.05, .75, normal.z);
+    float net = mix(.62, caustics(world), clear);
+    vec3 sky = mix(vec3(.07, .13, .12), SKY_COLOUR, .5 + .5 * normal.z);
+    return left * (SUN_COLOUR * sun.w * facing * reached.y * (.24 + .86 * net) + sky * reached.x);
 }
+
+// Light on an open surface of unit `normal`: sun with caustics, sky, and what the sand throws back.
+vec3 sunlight(vec3 world, vec3 normal) { return sunlight_in(world, normal, vec2(1.)); }
 
 // Brightness of the shafts of light between the eye and `reach` [m] along the unit `direction`: the ray crosses three
 // cylinders around the eye whose axis is the sun's, on which shafts are straight lines along that axis.
@@ -48,10 +52,10 @@ float shafts(vec3 direction, float reach) {
     vec2 turn = vec2(dot(side, axis_a), dot(side, axis_b));
     vec2 here = vec2(dot(eye.xyz, axis_a), dot(eye.xyz, axis_b));
     float time = eye.w, sum = 0.;
-    vec3 radii = vec3(3.2, 7.5, 15.), weights = vec3(.55, 1., .9);
+    vec3 radii = vec3(3.2, 7.5, 15.), weights = vec3(.45, .8, .9);
     for (int i = 0; i < 3; i++) {
         float far = radii[i] / size;
-        vec2 at = (here + turn * radii[i]) * .035;
+        vec2 at = (here + turn * radii[i]) * .052;
         float beam = texture(water_map, at + time * vec2(.0031, -.0017)).g
                    * (.4 + texture(water_map, at * 1.7 - time * vec2(.0043, .0024)).b);
         float depth = -eye.z - far * direction.z;
