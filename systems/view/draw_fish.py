@@ -1,0 +1,268 @@
+"""Draws all fishes: one record a fish, the rest is on the GPU (DESIGN 5; papers/000, 5.3, 7; FINDINGS 8).
+
+Textures: the repertoires' shapes, the vertices' weights and the skins; none is wider than this OpenGL allows. Bodies
+come first, then fins, blended, from the farthest to the nearest.
+"""
+
+from collections.abc import Sequence
+from ctypes import byref, c_int, c_uint, c_void_p
+from typing import Any, Final
+
+import numpy as np
+
+from components.arrays import AnyArray, Float32s
+from components.body import NODES
+from components.camera import Camera
+from components.fish import Population
+from components.repertoire import RepertoireLibrary
+from components.species import Species
+from systems.view.context import ensure_context
+from systems.view.cull import RECORD, Culling, view_of
+from systems.view.fish_surface import WINDOW, Level, levels_of
+from systems.view.program import load_program, uniform_location
+from systems.view.skin_texture import SIZE, paint_skin
+
+SHAPES_UNIT, WEIGHTS_UNIT, SKINS_UNIT = 0, 1, 2
+_SMALLEST_MIP: Final = 5
+_PASSES: Final = (
+    ("CLOSE",),
+    ("FAR",),
+    ("CARD",),
+    ("FINS", "CLOSE"),
+)
+
+
+def wrapped(texels: Float32s, widest: int) -> Float32s:
+    """Return items of texels (n, k, 4), packed whole into rows of a texture: (rows, items a row * k, 4).
+
+    Raise ValueError where they do not fit into `widest` x `widest` texels.
+    """
+    count, size, _ = texels.shape
+    a_row = widest // size
+    rows = max(1, -(-count // a_row))
+    if rows > widest:
+        raise ValueError(f"{count} items of {size} texels do not fit a {widest} x {widest} texture")
+    padded = np.zeros((rows * a_row, size, 4), np.float32)
+    padded[:count] = texels
+    return padded.reshape(rows, a_row * size, 4)
+
+
+class DrawFish:
+    """Draws a population's fishes. Reads its fish and motor tables; writes to the GPU only.
+
+    `species` in the order of their rows; `library` holds their shapes. `draw` expects the `Frame` block up to date.
+    """
+
+    def __init__(self, species: Sequence[Species], library: RepertoireLibrary) -> None:
+        ensure_context()
+        from pyglet import gl
+
+        widest = c_int()
+        gl.glGetIntegerv(gl.GL_MAX_TEXTURE_SIZE, byref(widest))
+        self.cull = Culling(np.array([s.skin.shine for s in species]))
+        self._textures = (c_uint * 3)()
+        gl.glGenTextures(3, self._textures)
+        side = min(widest.value, 4096)
+        levels = [levels_of(s.body) for s in species]
+        self._upload_shapes(library, side)
+        self._upload_weights(levels, side)
+        self._upload_skins(species)
+        self._programs = [self._program(defines, side) for defines in _PASSES]
+        self._meshes = [Mesh(level, start) for level, start in self._starts(levels[0])]
+
+    def draw(
+        self,
+        population: Population,
+        camera: Camera,
+        alpha: float,
+        seconds: float,
+        target_height: float,
+        visibility: float,
+        aspect: float | None = None,
+    ) -> None:
+        """Draw what `camera` sees into the bound framebuffer, `alpha` of the way from the last tick to now.
+
+        `seconds` moves the paired fins; `visibility` [m] is the water's. Without `aspect` the viewport's is taken.
+        """
+        from pyglet import gl
+
+        shape = _viewport_aspect() if aspect is None else aspect
+        self.cull(population, view_of(camera, target_height, shape, visibility), alpha, seconds)
+        if not self.cull.counts.any():
+            return
+        self._bind()
+        for level, mesh in enumerate(self._meshes):
+            mesh.upload(self.cull.records(level))
+        gl.glEnable(gl.GL_DEPTH_TEST)
+        gl.glDisable(gl.GL_BLEND)
+        gl.glEnable(gl.GL_CULL_FACE)
+        for level in (0, 1):
+            self._draw_pass(level, level, fins=False)
+        gl.glDisable(gl.GL_CULL_FACE)
+        self._draw_pass(2, 2, fins=False)
+        gl.glEnable(gl.GL_BLEND)
+        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+        gl.glDepthMask(gl.GL_FALSE)
+        for level in (1, 0):
+            self._draw_pass(level, 3, fins=True)
+        gl.glDepthMask(gl.GL_TRUE)
+        gl.glDisable(gl.GL_BLEND)
+        gl.glBindVertexArray(0)
+        gl.glUseProgram(0)
+
+    def delete(self) -> None:
+        """Free textures, buffers and programs."""
+        from pyglet import gl
+
+        gl.glDeleteTextures(3, self._textures)
+        for mesh in self._meshes:
+            mesh.delete()
+        for program in self._programs:
+            program.delete()
+
+    def _draw_pass(self, level: int, program: int, fins: bool) -> None:
+        from pyglet import gl
+
+        if self.cull.counts[level]:
+            gl.glUseProgram(self._programs[program].id)
+            self._meshes[level].draw(fins)
+
+    def _bind(self) -> None:
+        from pyglet import gl
+
+        targets = (gl.GL_TEXTURE_2D, gl.GL_TEXTURE_2D, gl.GL_TEXTURE_2D_ARRAY)
+        for unit, (target, texture) in enumerate(zip(targets, self._textures, strict=True)):
+            gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+            gl.glBindTexture(target, texture)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+
+    def _program(self, defines: Sequence[str], side: int) -> Any:
+        from pyglet import gl
+
+        sizes = (f"SHAPES_A_ROW {side // NODES}", f"VERTICES_A_ROW {side // WINDOW}")
+        program = load_program("fish.vert.glsl", "fish.frag.glsl", (*defines, *sizes))
+        gl.glUseProgram(program.id)
+        values = {
+            "shapes": SHAPES_UNIT,
+            "weights": WEIGHTS_UNIT,
+            "skins": SKINS_UNIT,
+            "vertices": self._vertices,
+        }
+        for name, value in values.items():
+            gl.glUniform1i(uniform_location(program, name), value)
+        gl.glUseProgram(0)
+        return program
+
+    def _upload_shapes(self, library: RepertoireLibrary, side: int) -> None:
+        shape = library.shape
+        texels = np.zeros((max(len(shape), 1), NODES, 4), np.float32)
+        texels[: len(shape), :, :3] = shape
+        self._upload_table(SHAPES_UNIT, wrapped(texels, side))
+
+    def _upload_weights(self, levels: Sequence[tuple[Level, ...]], side: int) -> None:
+        tables = [level.table for species in levels for level in species]
+        self._vertices = sum(len(level.table) for level in levels[0])
+        self._upload_table(WEIGHTS_UNIT, wrapped(np.concatenate(tables), side))
+
+    def _upload_table(self, unit: int, texels: Float32s) -> None:
+        from pyglet import gl
+
+        rows, columns, _ = texels.shape
+        gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, self._textures[unit])
+        gl.glTexImage2D(
+            *(gl.GL_TEXTURE_2D, 0, gl.GL_RGBA32F, columns, rows, 0, gl.GL_RGBA, gl.GL_FLOAT),
+            np.ascontiguousarray(texels).ctypes.data,
+        )
+        for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_NEAREST)
+
+    def _upload_skins(self, species: Sequence[Species]) -> None:
+        from pyglet import gl
+
+        target = gl.GL_TEXTURE_2D_ARRAY
+        picture = np.stack([paint_skin(s.skin, s.body) for s in species])
+        gl.glActiveTexture(gl.GL_TEXTURE0 + SKINS_UNIT)
+        gl.glBindTexture(target, self._textures[SKINS_UNIT])
+        gl.glTexImage3D(
+            *(target, 0, gl.GL_RGBA8, SIZE, SIZE, len(species), 0, gl.GL_RGBA),
+            *(gl.GL_UNSIGNED_BYTE, picture.ctypes.data),
+        )
+        gl.glTexParameteri(target, gl.GL_TEXTURE_MAX_LEVEL, _SMALLEST_MIP)
+        gl.glTexParameteri(target, gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR)
+        gl.glTexParameteri(target, gl.GL_TEXTURE_MAG_FILTER, gl.GL_LINEAR)
+        for name in (gl.GL_TEXTURE_WRAP_S, gl.GL_TEXTURE_WRAP_T):
+            gl.glTexParameteri(target, name, gl.GL_CLAMP_TO_EDGE)
+        gl.glGenerateMipmap(target)
+
+    @staticmethod
+    def _starts(levels: Sequence[Level]) -> list[tuple[Level, int]]:
+        starts = np.cumsum([0, *(len(level.table) for level in levels)])
+        return list(zip(levels, starts[:-1].tolist(), strict=True))
+
+
+class Mesh:
+    """One level's triangles and the records of the fishes drawn with it."""
+
+    def __init__(self, level: Level, start: int) -> None:
+        from pyglet import gl
+
+        self._array, self._buffers, self._count = c_uint(), (c_uint * 3)(), 0
+        self._body, self._fins = level.body.size, level.fins.size
+        gl.glGenVertexArrays(1, byref(self._array))
+        gl.glGenBuffers(3, self._buffers)
+        gl.glBindVertexArray(self._array)
+        numbers = np.arange(start, start + len(level.table), dtype=np.float32)
+        triangles = np.concatenate((level.body.ravel(), level.fins.ravel()))
+        self._fill(gl.GL_ARRAY_BUFFER, 0, numbers)
+        gl.glEnableVertexAttribArray(0)
+        gl.glVertexAttribPointer(0, 1, gl.GL_FLOAT, gl.GL_FALSE, 0, c_void_p(0))
+        self._fill(gl.GL_ELEMENT_ARRAY_BUFFER, 1, triangles)
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[2])
+        for k in range(RECORD // 4):
+            gl.glEnableVertexAttribArray(1 + k)
+            place = c_void_p(16 * k)
+            gl.glVertexAttribPointer(1 + k, 4, gl.GL_FLOAT, gl.GL_FALSE, 4 * RECORD, place)
+            gl.glVertexAttribDivisor(1 + k, 1)
+        gl.glBindVertexArray(0)
+
+    def upload(self, records: Float32s) -> None:
+        """Take the records (n, 20) of the fishes to draw."""
+        from pyglet import gl
+
+        self._count = len(records)
+        if self._count:
+            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[2])
+            data = records.ctypes.data
+            gl.glBufferData(gl.GL_ARRAY_BUFFER, records.nbytes, data, gl.GL_STREAM_DRAW)
+
+    def draw(self, fins: bool) -> None:
+        """Draw the fins or the bodies of all fishes taken."""
+        from pyglet import gl
+
+        gl.glBindVertexArray(self._array)
+        size, start = (self._fins, self._body) if fins else (self._body, 0)
+        gl.glDrawElementsInstanced(
+            gl.GL_TRIANGLES, size, gl.GL_UNSIGNED_INT, c_void_p(4 * start), self._count
+        )
+
+    def delete(self) -> None:
+        """Free the buffers."""
+        from pyglet import gl
+
+        gl.glDeleteBuffers(3, self._buffers)
+        gl.glDeleteVertexArrays(1, byref(self._array))
+
+    def _fill(self, target: int, buffer: int, values: AnyArray) -> None:
+        from pyglet import gl
+
+        gl.glBindBuffer(target, self._buffers[buffer])
+        gl.glBufferData(target, values.nbytes, values.ctypes.data, gl.GL_STATIC_DRAW)
+
+
+def _viewport_aspect() -> float:
+    from pyglet import gl
+
+    viewport = (c_int * 4)()
+    gl.glGetIntegerv(gl.GL_VIEWPORT, viewport)
+    return float(viewport[2]) / max(float(viewport[3]), 1.0)

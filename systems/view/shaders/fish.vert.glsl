@@ -1,0 +1,60 @@
+// A fish from its nodes: 23 nodes blended between two ticks and two motions, then weights (systems/view/fish_surface.py).
+#include "frame.glsl"
+layout(location = 0) in float vertex;   // of the species' table
+layout(location = 1) in vec4 place;     // origin [m], w length [m]
+layout(location = 2) in vec4 turn;      // quaternion from body to world axes
+layout(location = 3) in vec4 shown;     // shape a tick ago, shape now, blend, weight of the warp's offset
+layout(location = 4) in vec4 warp;      // shape that the warp leaves, enters; species; phase of the paired fins [rad]
+layout(location = 5) in vec4 shade;     // tint, w shine
+
+uniform sampler2D shapes;    // nodes [BL], 23 texels a shape, SHAPES_A_ROW shapes a row
+uniform sampler2D weights;   // 12 texels a vertex, VERTICES_A_ROW vertices a row
+uniform int vertices;        // of one species' table
+
+out vec3 world;
+out vec3 normal;
+out vec2 skin_at;
+flat out float skin_layer;
+flat out vec4 tint;
+flat out float size;         // length of the fish [m]
+
+ivec2 shape_at(float number) {
+    int row = int(number + .5);
+    return ivec2(23 * (row % SHAPES_A_ROW), row / SHAPES_A_ROW);
+}
+
+vec3 turned(vec3 v) { return v + 2. * cross(turn.xyz, cross(turn.xyz, v) + turn.w * v); }
+
+void main() {
+    int index = int(warp.z + .5) * vertices + int(vertex + .5);
+    ivec2 at = ivec2(12 * (index % VERTICES_A_ROW), index / VERTICES_A_ROW);
+    ivec2 last = shape_at(shown.x), now = shape_at(shown.y), from = shape_at(warp.x), to = shape_at(warp.y);
+    vec3 sum = vec3(0.), along_u = vec3(0.), along_v = vec3(0.);
+    float extra[4];
+    int first = int(texelFetch(weights, at, 0).a + .5);
+    for (int j = 0; j < 12; j++) {
+        vec4 weight = texelFetch(weights, at + ivec2(j, 0), 0);
+        if (j < 4) extra[j] = weight.a;
+        if (weight.xyz == vec3(0.)) continue;
+        ivec2 step = ivec2(first + j, 0);
+        vec3 node = mix(texelFetch(shapes, last + step, 0).xyz, texelFetch(shapes, now + step, 0).xyz, shown.z);
+        if (shown.w > 0.)
+            node += shown.w * (texelFetch(shapes, from + step, 0).xyz - texelFetch(shapes, to + step, 0).xyz);
+        sum += weight.x * node;
+        along_u += weight.y * node;
+        along_v += weight.z * node;
+    }
+    vec3 upright = cross(along_u, along_v);
+    if (extra[3] > 1.5) {   // a blade on its hinge; pelvic fins stay closer and move less
+        float angle = extra[3] < 2.5 ? .62 + .42 * sin(warp.w) : .30 + .12 * sin(.7 * warp.w + 1.);
+        sum += cos(angle) * along_u + sin(angle) * along_v;
+        upright = cos(angle) * along_v - sin(angle) * along_u;
+    }
+    world = place.xyz + place.w * turned(sum);
+    normal = turned(upright);
+    skin_at = vec2(extra[1], extra[2]);
+    skin_layer = warp.z;
+    tint = shade;
+    size = place.w;
+    gl_Position = view_projection * vec4(world, 1.);
+}
