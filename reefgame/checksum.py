@@ -46,5 +46,5 @@ def table_checksum(table: Table) -> int:
         spare = -len(data) % 8
         if spare:
             data = np.concatenate([data, np.zeros(spare, np.uint8)])
-        seed = hash_words(data.view(np.uint64), seed)
+        seed = np.uint64(hash_words(data.view(np.uint64), seed))
     return int(seed)

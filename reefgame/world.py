@@ -10,17 +10,16 @@ from components.cohort import NEVER, CohortTable, Roster
 from components.command import Command, CommandTable
 from components.entities import Entities
 from components.fish import Population
-from components.landscape import build_terrain
 from components.objective import ObjectiveTable, Photograph
 from components.repertoire import RepertoireLibrary, pack
 from components.species import Species
 from components.submarine import SubmarineTable
 from components.table import Table
-from components.terrain import Terrain, build_terrain
+from components.terrain import Terrain, build_terrain, rock_on_ground
 from components.trigonometry import DEGREE
 from reefgame.checksum import table_checksum
 from reefgame.content import Content
-from reefgame.content.schema.level import Level, RockPlace
+from reefgame.content.schema.level import Level
 from reefgame.schedule import schedule, spawner
 from reefgame.snapshot import Snapshot
 
@@ -94,28 +93,19 @@ class World:
 def _terrain(content: Content) -> Terrain:
     level = content.level
     names = [species.name for species in content.species]
-    shape = (
+    ground = build_terrain(
         level.world.radius_m,
         level.world.depth_m,
         level.seabed.relief_m,
         level.seabed.feature_m,
         level.seabed.seed,
     )
-    bare = build_terrain(*shape)
-    rocks = [_rock(bare, rock) for rock in level.rocks]
-    homes = [(*home.at_m, _ground(bare, *home.at_m)) for home in level.homes]
-    return build_terrain(*shape, rocks, homes, [names.index(home.species) for home in level.homes])
-
-
-def _ground(terrain: Terrain, x: float, y: float) -> float:
-    return ground_height(terrain.height, terrain.extent, terrain.cell, x, y)
-
-
-def _rock(terrain: Terrain, rock: RockPlace) -> Rock:
-    """Return the rock as it lies on the ground, the fraction `buried` of its height below it."""
-    x, y = rock.at_m
-    z = _ground(terrain, x, y) + rock.radii_m[2] * (1.0 - 2.0 * rock.buried)
-    return Rock((x, y, z), rock.radii_m, rock.yaw_deg)
+    rocks = [
+        rock_on_ground(ground, rock.at_m, rock.radii_m, rock.yaw_deg, rock.buried)
+        for rock in level.rocks
+    ]
+    homes = [(home.at_m, names.index(home.species)) for home in level.homes]
+    return ground.with_rocks(rocks).with_homes(homes)
 
 
 def _cohorts(content: Content) -> CohortTable:

@@ -8,13 +8,12 @@ from components import chance
 from components.arrays import Float64s
 from components.clock import Clock
 from components.cohort import CohortTable, Roster
-from components.confinement import confine
 from components.entities import Entities
 from components.fish import Population
 from components.kernels import row
 from components.repertoire import Pattern, RepertoireLibrary
 from components.species import Species
-from components.terrain import Terrain
+from components.terrain import Terrain, confine
 from components.trigonometry import cosine, sine
 
 _TURN = 6.283185307179586
@@ -92,7 +91,7 @@ class Spawn:
         school_yaw = _TURN * chance.uniform(seed, chance.HEADING, 0, leader)
         for at, identity in zip(range(rows.start, rows.stop), ids.tolist(), strict=True):
             place(seed, identity, around, within, fish.position[at])
-            confine(self.terrain, fish.position[at], 0.5 * kind.length)
+            confine(self.terrain, fish.position, at, 0.5 * kind.length)
             u = chance.uniform(seed, chance.HEADING, 1, identity)
             yaw = school_yaw + _SCHOOL_FAN * (u - 0.5) if kind.schooling else _TURN * u
             face(yaw, fish.rotation[at])

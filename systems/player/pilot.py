@@ -11,10 +11,9 @@ from typing import Final
 from components.arrays import Float64s, Int32s
 from components.clock import TICK_SECONDS
 from components.command import FULL, CommandTable
-from components.confinement import confine
 from components.kernels import row
 from components.submarine import HULL_RADIUS, SubmarineTable
-from components.terrain import Terrain
+from components.terrain import Terrain, confine
 from components.trigonometry import DEGREE, cosine, sine
 
 AHEAD: Final = 4.0
@@ -92,7 +91,7 @@ def advance(position: Float64s, velocity: Float64s, ship: int, terrain: Terrain)
     before_x, before_y, before_z = position[ship, 0], position[ship, 1], position[ship, 2]
     for axis in range(3):
         position[ship, axis] += velocity[ship, axis] * TICK_SECONDS
-    if confine(terrain, position[ship], HULL_RADIUS):
+    if confine(terrain, position, ship, HULL_RADIUS):
         velocity[ship, 0] = (position[ship, 0] - before_x) / TICK_SECONDS
         velocity[ship, 1] = (position[ship, 1] - before_y) / TICK_SECONDS
         velocity[ship, 2] = (position[ship, 2] - before_z) / TICK_SECONDS
