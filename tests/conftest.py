@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 import assets
 import components
@@ -11,6 +12,10 @@ import levels
 import reefgame
 import systems
 import tools
+
+# Tests never time: a first call may compile a kernel.
+settings.register_profile("reefgame", deadline=None, derandomize=True)
+settings.load_profile("reefgame")
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 PACKAGES = (reefgame, systems, components, levels, assets, tools)
