@@ -1,50 +1,42 @@
-"""Action repertoires: captured segments, their file, and the library packed for kernels (papers/000
-section 4).
+"""Action repertoires as the game uses them: read, saved, and packed for kernels (papers/000, section 4).
 
-Entry k of a segment holds M_k = R_k^T R_{k+1} (body space: FINDINGS 1 corrects eq. 6), t_k = R_k^T
-(o_{k+1} - o_k) in BL (eq. 7) and d_k, the 23 nodes in body axes at frame k + 1 in BL (eq. 8).
-Playing entry k: R <- R M_k, o <- o + R_before (length t_k), nodes = o + R (length d_k).
+Segments stand in components/segment.py, the file's format in components/repertoire_file.py.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import IntEnum
+from typing import TypeVar
 
 import numpy as np
 
 from components.arrays import Float32s, Float64s, Int8s, Int32s
+from components.body import NODES
+from components.repertoire_file import RepertoireError, load, save
+from components.segment import (
+    MIRROR_IMAGES,
+    Pattern,
+    Repertoire,
+    Segment,
+    heading_change,
+    mean_speed,
+    mirrored,
+)
 
+__all__ = [
+    "Pattern",
+    "Repertoire",
+    "RepertoireError",
+    "RepertoireLibrary",
+    "Segment",
+    "heading_change",
+    "load",
+    "mean_speed",
+    "mirrored",
+    "pack",
+    "save",
+]
 
-class Pattern(IntEnum):
-    """The motion patterns of a repertoire (papers/000 section 4.2); right turns are mirrored left turns."""
-
-    SWIM_SLOW = 0
-    SWIM_MEDIUM = 1
-    SWIM_FAST = 2
-    TURN_LEFT = 3
-    TURN_RIGHT = 4
-
-
-@dataclass(frozen=True)
-class Segment:
-    """One captured segment of N entries at 60 a second."""
-
-    pattern: Pattern
-    loops: bool
-    rotation: Float64s
-    "M, (N, 3, 3)"
-    translation: Float64s
-    "t [BL], (N, 3)"
-    shape: Float32s
-    "d [BL], (N, 23, 3)"
-
-
-@dataclass(frozen=True)
-class Repertoire:
-    """The segments of one species, and what they were captured from."""
-
-    segments: tuple[Segment, ...]
-    provenance: dict[str, str]
-    "fingerprint of body, parameters and kernels; no date, no host"
+_Array = TypeVar("_Array", Float32s, Float64s)
 
 
 @dataclass(frozen=True)
@@ -71,20 +63,40 @@ class RepertoireLibrary:
     "mean speed of a segment [BL/s], (S,)"
     turn: Float64s
     "net change of heading of a segment [rad], positive to the left, (S,)"
-    node_reach: Float32s
-    "most a node moves from one entry to another, for warping [BL]: see systems/motor/move.py, (E,)"
 
 
-_MIRRORED_NODE = np.array([0] + [4 * r + 1 + s for r in range(5) for s in (1, 0, 3, 2)] + [21, 22])
-_FLIP = np.array([1.0, 1.0, -1.0])
-
-
-def mirrored(segment: Segment, pattern: Pattern) -> Segment:
-    """Return the mirror image of a segment, left for right: z -> -z, top-left <-> top-right (FINDINGS 1)."""
-    return Segment(
-        pattern,
-        segment.loops,
-        segment.rotation * _FLIP[:, None] * _FLIP[None, :],
-        segment.translation * _FLIP,
-        (segment.shape[:, _MIRRORED_NODE] * _FLIP).astype(np.float32),
+def pack(repertoires: Sequence[Repertoire]) -> RepertoireLibrary:
+    """Return all segments end to end, species by species in `Pattern`'s order, with right turns mirrored."""
+    table = np.full((len(repertoires), len(Pattern)), -1, np.int32)
+    segments: list[Segment] = []
+    for species, repertoire in enumerate(repertoires):
+        for pattern, segment in sorted(_with_mirrored(repertoire).items()):
+            table[species, pattern] = len(segments)
+            segments.append(segment)
+    lengths = np.array([len(s.translation) for s in segments], np.int32)
+    return RepertoireLibrary(
+        rotation=_joined([s.rotation for s in segments], np.zeros((0, 3, 3))),
+        translation=_joined([s.translation for s in segments], np.zeros((0, 3))),
+        shape=_joined([s.shape for s in segments], np.zeros((0, NODES, 3), np.float32)),
+        start=(np.cumsum(lengths) - lengths).astype(np.int32),
+        length=lengths,
+        loops=np.array([s.loops for s in segments], np.int8),
+        pattern=np.array([s.pattern for s in segments], np.int8),
+        segment=table,
+        speed=np.array([mean_speed(s) for s in segments], np.float64),
+        turn=np.array([heading_change(s) for s in segments], np.float64),
     )
+
+
+def _with_mirrored(repertoire: Repertoire) -> dict[Pattern, Segment]:
+    """Return a repertoire's segments and the turns that its own ones mirror."""
+    held = {segment.pattern: segment for segment in repertoire.segments}
+    for one, other in MIRROR_IMAGES:
+        if one in held and other not in held:
+            held[other] = mirrored(held[one], other)
+    return held
+
+
+def _joined(parts: list[_Array], none: _Array) -> _Array:
+    """Return arrays end to end, C order; `none` where there is none."""
+    return np.ascontiguousarray(np.concatenate([none, *parts]))

@@ -1,0 +1,154 @@
+"""Synthetic motion capture: a species' repertoire from its body and swim (papers/000, section 4; FINDINGS 1, 1b).
+
+Three beats, slow, medium and fast, and one gradual turn to the left out of medium cruise, at whose end the fish
+cruises again in the beat's phase. Right turns are mirrored as repertoires are packed. Everything that reaches the file
+is + - * / sqrt, so a capture writes the same bytes on every machine.
+"""
+
+import hashlib
+from collections.abc import Callable, Iterator
+from math import floor
+from pathlib import Path
+from typing import Final
+
+import components.trigonometry
+import systems.motor.biomechanics
+import systems.motor.body_frame
+import systems.motor.contract
+import systems.motor.muscle_model
+import tools.capture.cut
+import tools.capture.record
+import tools.capture.rotation
+from components.body import Body, Swim
+from components.clock import TICKS_PER_SECOND
+from components.repertoire import Pattern, Repertoire, Segment
+from components.trigonometry import DEGREE
+from systems.motor.biomechanics import SUBSTEPS
+from systems.motor.contract import TURN_PULSE, TWO_PI, Stroke
+from systems.motor.muscle_model import BodyModel, body_model
+from tools.capture.cut import beat_start, cut, shape_gap
+from tools.capture.measure import measure_swim, turn_faults, turn_text
+from tools.capture.record import Recording, record
+
+Progress = Callable[[float, str], None]
+"""Told how far the work is, 0 to 1, and what is being done."""
+
+GEARS: Final = {
+    Pattern.SWIM_SLOW: (0.65, 0.65),
+    Pattern.SWIM_MEDIUM: (1.0, 1.0),
+    Pattern.SWIM_FAST: (1.0, 1.6),
+}
+"""Amplitude and frequency of each gear, over the cruise's."""
+
+GRADUAL: Final = 0.15
+"""Scale of the pulses of a gradual turn."""
+
+SETTLE_FRAMES: Final = 16 * TICKS_PER_SECOND
+"""How long a beat runs before it is cut."""
+
+TURN_GAP: Final = 0.01
+"""[BL] how near the cruising shape a turn must end."""
+
+_PHASE_RUNS: Final = 4
+_LONGEST_TURN: Final = 8
+"""Beats after which a turn is cut, however it looks."""
+
+_PULSE_SECONDS: Final = max(float(p[1:].sum()) for p in TURN_PULSE)
+_SOURCES: Final = (
+    components.trigonometry,
+    systems.motor.biomechanics,
+    systems.motor.body_frame,
+    systems.motor.contract,
+    systems.motor.muscle_model,
+    tools.capture.cut,
+    tools.capture.record,
+    tools.capture.rotation,
+)
+
+
+def capture(body: Body, swim: Swim, progress: Progress | None = None) -> Repertoire:
+    """Return the repertoire of a species. Raise ValueError where the body does not swim at all.
+
+    The provenance holds the fingerprint, each segment's figures, and under "warnings" what is unlike a living fish.
+    """
+    model = body_model(body, swim)
+    segments: list[Segment] = []
+    notes: dict[str, str] = {}
+    warnings: list[str] = []
+    stages = len(GEARS) + 1
+    for stage, (segment, figures, faults) in enumerate(_segments(model, swim)):
+        name = segment.pattern.name.lower()
+        segments.append(segment)
+        notes[name] = figures
+        warnings += [f"{name}: {fault}" for fault in faults]
+        if progress is not None:
+            progress((stage + 1) / stages, name.replace("_", " "))
+    notes["fingerprint"] = fingerprint(body, swim)
+    notes["warnings"] = "; ".join(warnings)
+    return Repertoire(tuple(segments), notes)
+
+
+def fingerprint(body: Body, swim: Swim) -> str:
+    """Return 32 hex digits that change with what shapes motion: the model's numbers, the swim, the kernels' sources.
+
+    Fins and pectorals of `body` leave it as it is.
+    """
+    digest = hashlib.blake2b(digest_size=16)
+    for numbers in body_model(body, swim):
+        digest.update(numbers.astype("<f8").tobytes())
+    digest.update(repr(swim).encode())
+    for source in (__file__, *(str(module.__file__) for module in _SOURCES)):
+        digest.update(Path(source).read_bytes().replace(b"\r\n", b"\n"))
+    return digest.hexdigest()
+
+
+def _segments(model: BodyModel, swim: Swim) -> Iterator[tuple[Segment, str, list[str]]]:
+    """Yield each segment with its figures and faults."""
+    cruise = None
+    for pattern, (amplitude, pace) in GEARS.items():
+        stroke = _stroke(swim, amplitude, pace)
+        stroke, first, recording = _in_phase(model, stroke)
+        if pattern is Pattern.SWIM_MEDIUM:
+            cruise = stroke, first
+        segment = cut(recording, pattern, first, stroke.period // SUBSTEPS, True)
+        figures = measure_swim(recording, segment, first)
+        yield segment, figures.text(), figures.faults()
+    assert cruise is not None
+    segment, gap = _turn(model, *cruise)
+    yield segment, turn_text(segment, gap), turn_faults(segment, gap, TURN_GAP)
+
+
+def _stroke(swim: Swim, amplitude: float, pace: float) -> Stroke:
+    """Return the stroke of a gear whose beat lasts whole frames."""
+    frames = floor(TICKS_PER_SECOND / (swim.frequency_hz * pace) + 0.5)
+    return Stroke(
+        amplitude * swim.contraction_middle,
+        amplitude * swim.contraction_rear,
+        swim.lag_deg * DEGREE,
+        SUBSTEPS * max(frames, 4),
+        0.0,
+    )
+
+
+def _in_phase(model: BodyModel, stroke: Stroke) -> tuple[Stroke, int, Recording]:
+    """Return the stroke shifted so that a frame falls where the yaw crosses the course, that frame, and the run."""
+    period = stroke.period // SUBSTEPS
+    for _ in range(_PHASE_RUNS):
+        recording = record(model, stroke, SETTLE_FRAMES + 2 * period + 1)
+        crossing = beat_start(recording, period)
+        first = floor(crossing + 0.5)
+        stroke = stroke._replace(offset=stroke.offset + (crossing - first) * TWO_PI / period)
+    recording = record(model, stroke, SETTLE_FRAMES + 2 * period + 1)
+    return stroke, floor(beat_start(recording, period) + 0.5), recording
+
+
+def _turn(model: BodyModel, stroke: Stroke, first: int) -> tuple[Segment, float]:
+    """Return a gradual left turn out of the cruise at frame `first`, and its end's distance from cruising [BL]."""
+    period = stroke.period // SUBSTEPS
+    turning = stroke._replace(turn=GRADUAL, turn_at=SUBSTEPS * (first + 1))
+    recording = record(model, turning, first + _LONGEST_TURN * period + 1)
+    beats = floor(_PULSE_SECONDS * TICKS_PER_SECOND / period) + 1
+    while beats < _LONGEST_TURN and shape_gap(recording, first, first + beats * period) > TURN_GAP:
+        beats += 1
+    gap = shape_gap(recording, first, first + beats * period)
+    return cut(recording, Pattern.TURN_LEFT, first, beats * period, False), gap
