@@ -4,6 +4,7 @@ Tiles of 16 x 16 cells share one vertex buffer. A tile next to a coarser one mov
 that edge onto the coarser one's, so no crack opens. An apron carries the ground on into the haze.
 """
 
+from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -91,8 +92,8 @@ def tile_levels(low: Float64s, high: Float64s, eye: Float64s) -> Int64s:
     """Return each tile's level of detail for an eye at (3,) [m]; neighbours differ by one at most."""
     nearest = np.clip(eye, low, high)
     far = np.sqrt(((nearest - eye) ** 2).sum(axis=-1))
-    level = np.clip(np.ceil(np.log2(np.maximum(far, 1e-3) / FINE_REACH)), 0, LEVELS - 1)
-    level = level.astype(np.int64)
+    doubled = np.ceil(np.log2(np.maximum(far, 1e-3) / FINE_REACH))
+    level: Int64s = np.clip(doubled, 0, LEVELS - 1).astype(np.int64)
     for _ in range(LEVELS):
         around = np.pad(level, 1, mode="edge")
         least = np.minimum.reduce(
@@ -146,8 +147,10 @@ def apron(points: Float64s) -> tuple[Float64s, NDArray[np.int64]]:
 class DrawGround:
     """The seabed of one terrain; `sun` is the unit vector towards the sun, for rocks' shadows."""
 
-    def __init__(self, terrain: Terrain, sun: tuple[float, float, float]) -> None:
-        self._program = load_program("ground.vert.glsl", "ground.frag.glsl")
+    def __init__(
+        self, terrain: Terrain, sun: tuple[float, float, float], defines: Sequence[str] = ()
+    ) -> None:
+        self._program = load_program("ground.vert.glsl", "ground.frag.glsl", defines)
         height = padded(terrain)
         points = grid_points(terrain, height)
         self._tiles = tile_bounds(points)

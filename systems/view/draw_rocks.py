@@ -3,6 +3,7 @@
 The lumps stay within `LUMPS` of the ellipsoid that fishes and submarine collide with.
 """
 
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -91,8 +92,8 @@ def ground_under(terrain: Terrain, points: Float64s) -> Float64s:
 class DrawRocks:
     """All rocks of one terrain."""
 
-    def __init__(self, terrain: Terrain) -> None:
-        self._program = load_program("rock.vert.glsl", "rock.frag.glsl")
+    def __init__(self, terrain: Terrain, defines: Sequence[str] = ()) -> None:
+        self._program = load_program("rock.vert.glsl", "rock.frag.glsl", defines)
         self._reach = terrain.rock_radii.max(axis=1, initial=0.0) * (1.0 + LUMPS)
         self._centre = terrain.rock_centre
         spheres = [split_octahedron(times) for times in SUBDIVISIONS]

@@ -1,5 +1,6 @@
 """Open water and the surface seen from below, drawn last, where nothing else was (FINDINGS 8)."""
 
+from collections.abc import Sequence
 from ctypes import byref, c_uint
 
 from systems.view.program import load_program
@@ -8,10 +9,10 @@ from systems.view.program import load_program
 class DrawWater:
     """A full-screen triangle at the far plane, behind what was drawn before it."""
 
-    def __init__(self) -> None:
+    def __init__(self, defines: Sequence[str] = ()) -> None:
         from pyglet import gl
 
-        self._program = load_program("screen.vert.glsl", "water.frag.glsl")
+        self._program = load_program("screen.vert.glsl", "water.frag.glsl", defines)
         self._array = c_uint()
         gl.glGenVertexArrays(1, byref(self._array))
 

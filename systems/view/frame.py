@@ -30,7 +30,7 @@ FLOATS: Final = 16 + 7 * 4
 class Look:
     """What a level says of its water and sun."""
 
-    visibility: float = 30.0
+    visibility: float = 22.0
     "[m] at which things fade into the water"
     caustics: float = 1.0
     "strength of the net of light on the ground; 0 draws none"

@@ -150,6 +150,30 @@ class Target:
         self._buffers.append(buffer)
 
 
+def start_drawing(width: int, height: int) -> None:
+    """Clear the bound framebuffer, width x height [px], for solid things with depth."""
+    from pyglet import gl
+
+    gl.glViewport(0, 0, width, height)
+    gl.glDisable(gl.GL_SCISSOR_TEST)
+    gl.glDisable(gl.GL_BLEND)
+    gl.glDisable(gl.GL_CULL_FACE)
+    gl.glEnable(gl.GL_DEPTH_TEST)
+    gl.glDepthFunc(gl.GL_LESS)
+    gl.glDepthMask(True)
+    gl.glClearColor(0.0, 0.0, 0.0, 1.0)
+    gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+
+
+def stop_drawing() -> None:
+    """Leave OpenGL as pyglet's labels and sprites expect it."""
+    from pyglet import gl
+
+    gl.glDisable(gl.GL_DEPTH_TEST)
+    gl.glBindVertexArray(0)
+    gl.glUseProgram(0)
+
+
 def encode_png(picture: UInt8s) -> bytes:
     """Return `picture`, (height, width, 3) uint8 with the top row first, as the bytes of a PNG."""
     height, width, _ = picture.shape

@@ -4,11 +4,12 @@
 
 uniform sampler2D water_map;   // r caustic net, g shafts, b soft noise, a fine noise
 
-const vec3 ABSORB = vec3(.078, .036, .030);   // [1/m] at 30 m visibility
-const float SCATTER = .050;                   // [1/m] at 30 m visibility
-const vec3 DEEP = vec3(.004, .074, .152);     // what water scatters to the eye along the horizon
-const vec3 HIGH = vec3(.030, .230, .310);     // ... looking up
-const vec3 LOW = vec3(.002, .030, .085);      // ... looking down
+const float CLEAR = 22.;                        // [m] of visibility to which the numbers below belong
+const vec3 ABSORB = vec3(.078, .036, .030);     // [1/m]
+const float SCATTER = .050;                     // [1/m]
+const vec3 AHEAD = vec3(.004, .074, .152);     // what water scatters to the eye along the horizon
+const vec3 ABOVE = vec3(.030, .230, .310);     // ... looking up
+const vec3 BELOW = vec3(.002, .030, .085);      // ... looking down
 const vec3 SUN_COLOUR = vec3(1.22, 1.12, .93);
 const vec3 SKY_COLOUR = vec3(.17, .33, .36);
 const vec3 SHAFT_COLOUR = vec3(.13, .36, .42);
@@ -29,7 +30,7 @@ float caustics(vec3 world) {
 // Light on a surface of unit `normal` to which `reached` of the sky (x) and of the sun (y) come, 0 to 1.
 vec3 sunlight_in(vec3 world, vec3 normal, vec2 reached) {
     float depth = max(-world.z, 0.);
-    vec3 left = exp(-.55 * ABSORB * depth * (30. / water.x));
+    vec3 left = exp(-.55 * ABSORB * depth * (CLEAR / water.x));
     float facing = max(dot(normal, sun.xyz), 0.);
     float clear = water.y * (1. - .5 * smoothstep(6., 30., depth)) * smoothstep(.05, .75, normal.z);
     float net = mix(.62, caustics(world), clear);
@@ -53,11 +54,17 @@ float shafts(vec3 direction, float reach) {
     vec2 here = vec2(dot(eye.xyz, axis_a), dot(eye.xyz, axis_b));
     float time = eye.w, sum = 0.;
     vec3 radii = vec3(3.2, 7.5, 15.), weights = vec3(.45, .8, .9);
+#ifdef LOW
+    for (int i = 0; i < 2; i++) {
+#else
     for (int i = 0; i < 3; i++) {
+#endif
         float far = radii[i] / size;
         vec2 at = (here + turn * radii[i]) * .052;
-        float beam = texture(water_map, at + time * vec2(.0031, -.0017)).g
-                   * (.4 + texture(water_map, at * 1.7 - time * vec2(.0043, .0024)).b);
+        float beam = texture(water_map, at + time * vec2(.0031, -.0017)).g;
+#ifndef LOW
+        beam *= .4 + texture(water_map, at * 1.7 - time * vec2(.0043, .0024)).b;
+#endif
         float depth = -eye.z - far * direction.z;
         float lit = exp(-.10 * max(depth, 0.)) * smoothstep(-.6, .6, depth);
         sum += weights[i] * beam * lit * exp(-.045 * far) * smoothstep(far * .8, far * 1.2, reach);
@@ -67,7 +74,7 @@ float shafts(vec3 direction, float reach) {
 
 // What a long way of water along the unit `direction` scatters towards the eye, without shafts.
 vec3 veil(vec3 direction) {
-    vec3 colour = mix(DEEP, direction.z > 0. ? HIGH : LOW, smoothstep(0., .75, abs(direction.z)));
+    vec3 colour = mix(AHEAD, direction.z > 0. ? ABOVE : BELOW, smoothstep(0., .75, abs(direction.z)));
     float towards = max(dot(direction, sun.xyz), 0.);
     colour *= 1. + .9 * towards * towards * towards;
     return colour * exp(-.022 * max(-eye.z - 4., 0.));
@@ -83,7 +90,7 @@ vec3 through_water(vec3 colour, vec3 world) {
     vec3 way = world - eye.xyz;
     float distance = max(length(way), 1e-3);
     vec3 direction = way / distance;
-    float thick = 30. / water.x * distance;
+    float thick = CLEAR / water.x * distance;
     vec3 kept = exp(-ABSORB * thick);
     vec3 gained = veil(direction) * (1. - exp(-SCATTER * thick));
     return colour * kept + gained + SHAFT_COLOUR * sun.w * shafts(direction, distance);
