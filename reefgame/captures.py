@@ -1,0 +1,42 @@
+"""`reefgame capture`: runs the muscle model of each species given and writes its repertoire."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from components.body import Body, Swim
+from components.repertoire_file import save
+from reefgame.console import InputError, complain, progress_bar, say
+from reefgame.content import read_species
+from reefgame.content.anatomy import body_of, swim_of
+
+
+def capture_files(paths: Sequence[Path], output: Path | None) -> int:
+    """Capture the species of each YAML file and write NAME.npz; return the exit status.
+
+    Without `output` a file goes where its mod ships it: `repertoires/` beside the folder `species/`. All files are
+    checked before the first capture begins. Raise ContentError or InputError.
+    """
+    named = [read_species(path) for path in paths]
+    for path, (_, file) in zip(paths, named, strict=True):
+        _capture(path, body_of(file), swim_of(file), file.title, output)
+    return 0
+
+
+def _capture(path: Path, body: Body, swim: Swim, title: str, output: Path | None) -> None:
+    from tools.capture.capture import capture
+
+    folder = output or path.absolute().parent.parent / "repertoires"
+    target = folder / f"{path.stem}.npz"
+    try:
+        with progress_bar(title) as report:
+            repertoire = capture(body, swim, lambda done, what: report(done, f"{title}: {what}"))
+    except ValueError as error:
+        raise InputError(f"{path}: this body does not swim: {error}") from None
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        save(target, repertoire)
+    except OSError as error:
+        raise InputError(f"{target}: cannot be written: {error.strerror}") from None
+    for warning in filter(None, repertoire.provenance["warnings"].split("; ")):
+        complain(f"{path}: warning: {warning}")
+    say(f"{target}")
