@@ -1,0 +1,60 @@
+"""A checked species file turned into what the game works with (components/species.py)."""
+
+from components.body import Body, Fin, Swim
+from components.mind import Role
+from components.repertoire import Repertoire
+from components.species import Species
+from reefgame.content.schema.species import MedianFin, SpeciesFile
+from reefgame.content.skins import skin_of
+
+
+def _fin(fin: MedianFin | None) -> Fin | None:
+    return None if fin is None else Fin(fin.from_bl, fin.to_bl, fin.height_bl, fin.lean_bl)
+
+
+def body_of(file: SpeciesFile) -> Body:
+    """Return the body that the file describes, lengths in BL."""
+    shape, fins = file.body, file.fins
+    return Body(
+        station=shape.at_bl,
+        half_width=shape.half_width_bl,
+        half_height=shape.half_height_bl,
+        tail_span=fins.tail.half_span_bl,
+        tail_fork=fins.tail.fork_bl,
+        dorsal=_fin(fins.dorsal),
+        anal=_fin(fins.anal),
+        pectoral_at=fins.pectoral.at_bl,
+        pectoral_length=fins.pectoral.length_bl,
+        pectoral_height=fins.pectoral.height,
+        stiffness=shape.stiffness,
+    )
+
+
+def swim_of(file: SpeciesFile) -> Swim:
+    """Return how the file's species swims."""
+    swim = file.swim
+    return Swim(
+        float(swim.contraction_middle),
+        float(swim.contraction_rear),
+        float(swim.lag_deg),
+        float(swim.frequency_hz),
+    )
+
+
+def species_of(name: str, file: SpeciesFile, repertoire: Repertoire) -> Species:
+    """Return the species `name` as its file describes it, with its repertoire."""
+    return Species(
+        name=name,
+        title=file.title,
+        role=Role[file.role.upper()],
+        schooling=file.school.joins,
+        length=file.size_cm / 100.0,
+        length_spread=file.size_spread_percent / 100.0,
+        sight=float(file.sight_m),
+        spacing=float(file.school.spacing_bl),
+        depth=file.depth_m,
+        body=body_of(file),
+        swim=swim_of(file),
+        skin=skin_of(file.skin),
+        repertoire=repertoire,
+    )

@@ -1,0 +1,268 @@
+"""All species and levels of the base game and its mods, by name: `like:`, overrides and references resolved.
+
+Definitions stay trees with marks until they are asked for, so that a fault shows where the modder wrote it, whichever
+file inherits it.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Final
+
+from reefgame.content.errors import ContentError, Problem, did_you_mean, listed, quoted
+from reefgame.content.mods import BASE, DisabledMod, Mod, base, discover, names_listed, yaml_files
+from reefgame.content.schema.level import Level, LevelFile
+from reefgame.content.schema.species import SpeciesFile
+from reefgame.content.schema.validate import node_at, validate
+from reefgame.content.yaml_marks import Mapping, Mark, Node, Scalar, merged, read, without
+
+SPECIES: Final = "species"
+LEVEL: Final = "level"
+_LONGEST_CHAIN: Final = 32
+
+
+@dataclass(frozen=True)
+class Definition:
+    """One file of a mod that defines a species or level."""
+
+    name: str
+    "`mod:name`, or `name` in the base game"
+    mod: str
+    "id of the mod"
+    path: Path
+    tree: Mapping
+    repertoire: Path
+    "where the mod would ship its motion"
+
+
+@dataclass
+class Catalogue:
+    """What the base game and the mods define, in load order."""
+
+    mods: dict[str, Mod] = field(default_factory=dict)
+    species: dict[str, Definition] = field(default_factory=dict)
+    levels: dict[str, Definition] = field(default_factory=dict)
+    overrides: dict[tuple[str, str], tuple[Definition, ...]] = field(default_factory=dict)
+    "by kind and name of what they change"
+    owner: dict[str, str] = field(default_factory=dict)
+    "id of the mod that a file belongs to"
+
+    def copy(self) -> "Catalogue":
+        """Return a catalogue that can be added to without changing this one."""
+        parts = (self.mods, self.species, self.levels, self.overrides, self.owner)
+        return Catalogue(*(dict(part) for part in parts))  # type: ignore[arg-type]
+
+    def of(self, kind: str) -> dict[str, Definition]:
+        """Return the definitions of `species` or `level`."""
+        return self.species if kind == SPECIES else self.levels
+
+    def add(self, mod: Mod) -> list[Problem]:
+        """Take in the files of a mod; return what is wrong with them taken alone."""
+        self.mods[mod.id] = mod
+        problems: list[Problem] = []
+        for kind, folder in ((SPECIES, mod.species), (LEVEL, mod.levels)):
+            found, faults = yaml_files(folder, mod.root)
+            problems += faults
+            for path in found.values():
+                try:
+                    self.add_file(kind, mod, path)
+                except ContentError as error:
+                    problems += error.problems
+        return problems
+
+    def add_file(self, kind: str, mod: Mod, path: Path) -> Definition:
+        """Take in one file of a mod. Raise ContentError where it is no YAML or overrides nothing."""
+        tree = read(path)
+        name = path.stem if mod.id == BASE else f"{mod.id}:{path.stem}"
+        repertoire = mod.repertoires / f"{path.stem}.npz"
+        definition = Definition(name, mod.id, path, tree, repertoire)
+        self.owner[tree.mark.file] = mod.id
+        changed = tree.items.get("overrides")
+        if changed is None:
+            self.of(kind)[name] = definition
+        else:
+            self._add_override(kind, definition, changed)
+        return definition
+
+    def _add_override(self, kind: str, definition: Definition, changed: Node) -> None:
+        if "like" in definition.tree.items:
+            mark = definition.tree.keys["like"]
+            raise mark.error("`like` and `overrides` exclude each other")
+        target = self.resolve(kind, changed)
+        if self.of(kind)[target].mod == definition.mod:
+            raise changed.mark.error("a mod overrides what others define: change the file itself")
+        key = (kind, target)
+        self.overrides[key] = (*self.overrides.get(key, ()), definition)
+
+    def resolve(self, kind: str, reference: Node, besides: str = "") -> str:
+        """Return the full name that a node refers to, seen from the mod whose file it stands in.
+
+        A bare name means the mod's own, else the base game's, else that of the one mod which has
+        it. Raise ContentError where there is none or more than one.
+        """
+        if not isinstance(reference, Scalar) or not isinstance(reference.value, str):
+            raise reference.mark.error(f"must be the name of a {kind}")
+        return self.find(kind, reference.value, reference.mark, besides)
+
+    def find(self, kind: str, wanted: str, mark: Mark, besides: str = "") -> str:
+        """Return the full name of `wanted`, which stands at `mark`. Raise ContentError."""
+        known = self.of(kind)
+        mod, _, short = wanted.rpartition(":")
+        if mod:
+            names = [short if mod == BASE else wanted]
+        else:
+            names = [f"{self.owner.get(mark.file, BASE)}:{short}", short]
+        found = [name for name in names if name in known and name != besides]
+        if not found and not mod:
+            found = [name for name in known if name.endswith(f":{short}") and name != besides]
+            if len(found) > 1:
+                raise mark.error(f"{quoted(wanted)} is ambiguous: write {listed(sorted(found))}")
+        if not found and besides in names:
+            return besides
+        if not found:
+            near = did_you_mean(wanted, [*known, *(name.rpartition(":")[2] for name in known)])
+            there = f"there are {names_listed(known)}" if known else "there is none at all"
+            raise mark.error(f"there is no {kind} {quoted(wanted)}{near or '; ' + there}")
+        return found[0]
+
+    def origins(self, name: str) -> list[Definition]:
+        """Return what a species is made of: itself, what overrides it, what it is like, and so on."""
+        chain = [name]
+        result: list[Definition] = []
+        while True:
+            definition = self.species[chain[-1]]
+            result += [*reversed(self.overrides.get((SPECIES, chain[-1]), ())), definition]
+            like = definition.tree.items.get("like")
+            if like is None:
+                return result
+            parent = self.resolve(SPECIES, like, besides=chain[-1])
+            if parent in chain:
+                raise like.mark.error(f"`like` goes in a circle: {' like '.join([*chain, parent])}")
+            if len(chain) == _LONGEST_CHAIN:
+                raise like.mark.error(f"`like` goes on too long: at most {_LONGEST_CHAIN} species")
+            chain.append(parent)
+
+    def species_tree(self, name: str) -> Mapping:
+        """Return a species' tree with `like` and overrides merged. Raise ContentError."""
+        origins = self.origins(name)
+        tree = without(origins[-1].tree, "like", "overrides")
+        for definition in reversed(origins[:-1]):
+            tree = merged(tree, without(definition.tree, "like", "overrides"))
+        return Mapping(self.species[name].tree.mark, tree.items, tree.keys)
+
+    def species_file(self, name: str) -> SpeciesFile:
+        """Return the species `name` as its file and those it starts from say. Raise ContentError."""
+        return validate(self.species_tree(name), SpeciesFile)
+
+    def level_tree(self, name: str) -> Mapping:
+        """Return a level's tree with overrides merged."""
+        tree = self.levels[name].tree
+        for definition in self.overrides.get((LEVEL, name), ()):
+            tree = merged(tree, without(definition.tree, "overrides"))
+        return tree
+
+    def level(self, name: str) -> Level:
+        """Return the level `name`, its species named in full. Raise ContentError."""
+        tree = self.level_tree(name)
+        file = validate(tree, LevelFile)
+        problems: list[Problem] = []
+
+        def full(*location: int | str) -> str:
+            try:
+                return self.resolve(SPECIES, node_at(tree, (*location, "species")))
+            except ContentError as error:
+                problems.extend(error.problems)
+                return ""
+
+        names = {
+            "fishes": tuple(
+                group.model_copy(update={"species": full("fishes", i)})
+                for i, group in enumerate(file.fishes)
+            ),
+            "homes": tuple(
+                home.model_copy(update={"species": full("homes", i)})
+                for i, home in enumerate(file.homes)
+            ),
+        }
+        wanted = {"species": full("objective", "photograph")}
+        photograph = file.objective.photograph.model_copy(update=wanted)
+        objective = file.objective.model_copy(update={"photograph": photograph})
+        if problems:
+            raise ContentError(problems)
+        fields = {**dict(file), **names, "objective": objective, "name": name}
+        return Level.model_validate(fields)
+
+    def problems(self, kinds: Sequence[str] = (SPECIES, LEVEL)) -> list[Problem]:
+        """Return everything wrong with all definitions."""
+        checks = {SPECIES: self.species_file, LEVEL: self.level}
+        found: list[Problem] = []
+        for kind in kinds:
+            for name in self.of(kind):
+                try:
+                    checks[kind](name)
+                except ContentError as error:
+                    found += error.problems
+        return found
+
+
+def catalogue(given: Sequence[Path] = ()) -> tuple[Catalogue, list[DisabledMod]]:
+    """Return what the base game and all mods define, and the installed mods that are left out.
+
+    Raise ContentError where the base game or a mod of `given` is at fault.
+    """
+    known = Catalogue()
+    problems = known.add(base()) or known.problems()
+    if problems:
+        raise ContentError(problems)
+    mods, disabled = discover(given)
+    fatal: list[Problem] = []
+    waiting = list(mods)
+    while waiting:
+        mod = waiting.pop(0)
+        trial = known.copy()
+        problems = [*trial.add(mod), *trial.problems()]
+        if not problems:
+            known = trial
+        elif mod.given:
+            fatal += problems
+            known = trial
+        else:
+            disabled.append(DisabledMod(str(mod.root), tuple(problems)))
+            waiting = _without_dependants(mod, waiting, disabled)
+    if fatal:
+        raise ContentError(fatal)
+    return known, disabled
+
+
+def _without_dependants(mod: Mod, waiting: list[Mod], disabled: list[DisabledMod]) -> list[Mod]:
+    """Return the mods that still can load without `mod`; a given one that needs it raises ContentError."""
+    kept: list[Mod] = []
+    gone = [mod.id]
+    for other in waiting:
+        needed = [index for index, name in enumerate(other.info.requires) if name in gone]
+        if not needed:
+            kept.append(other)
+            continue
+        name = other.info.requires[needed[0]]
+        problem = other.mark("requires", needed[0]).problem(
+            f"the mod {quoted(name)} is required and disabled"
+        )
+        if other.given:
+            raise ContentError([problem, *disabled[-1].problems])
+        disabled.append(DisabledMod(str(other.root), (problem,)))
+        gone.append(other.id)
+    return kept
+
+
+def local(path: Path, kind: str, known: Catalogue) -> tuple[Catalogue, str]:
+    """Return a catalogue that also holds the file `path`, which no mod holds, and its name there.
+
+    Species that lie beside a species are known to it. Raise ContentError.
+    """
+    trial = known.copy()
+    home = replace(known.mods[BASE], root=path.parent.resolve(), repertoires=path.parent)
+    for sibling in sorted(path.parent.glob("*.yaml")) if kind == SPECIES else ():
+        if sibling != path and sibling.stem not in trial.species:
+            trial.add_file(kind, home, sibling)
+    definition = trial.add_file(kind, home, path)
+    return trial, definition.name

@@ -1,0 +1,148 @@
+"""`load`: a level by name or file, with the species that it needs and their motion, all checked (DESIGN 6)."""
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from components.repertoire import Repertoire
+from components.species import Species
+from reefgame.content.anatomy import body_of, species_of, swim_of
+from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue, catalogue, local
+from reefgame.content.digest import content_hash
+from reefgame.content.errors import ContentError, Problem
+from reefgame.content.level_checks import level_problems
+from reefgame.content.mods import BASE, DisabledMod, check_inside
+from reefgame.content.repertoires import Progress, repertoire_of
+from reefgame.content.schema.level import Level
+from reefgame.content.schema.species import SpeciesFile
+from reefgame.content.schema.validate import node_at
+from reefgame.content.yaml_marks import Mark, Scalar, read, read_bytes
+
+
+@dataclass(frozen=True)
+class Content:
+    """A level, checked, with all that a dive in it needs."""
+
+    level: Level
+    species: tuple[Species, ...]
+    "those that the level names, sorted by name"
+    hash: str
+    "32 hex digits: what a replay compares"
+    disabled: tuple[DisabledMod, ...]
+    "installed mods that are at fault and left out"
+
+
+def load(
+    level: str | os.PathLike[str], mods: Sequence[Path] = (), progress: Progress | None = None
+) -> Content:
+    """Return the level `level` (`name`, `mod:name` or a YAML file) with its species and their motion.
+
+    `mods` are folders of mods beside those installed; `progress` is told how far captures are.
+    Raise ContentError, with every problem found, where the level or one of `mods` is at fault.
+    """
+    known, disabled, name = find(LEVEL, level, mods)
+    dive = known.level(name)
+    problems = level_problems(dive, known.level_tree(name))
+    if problems:
+        raise ContentError(problems)
+    files = {one: known.species_file(one) for one in species_in(dive)}
+    motion = repertoires(known, files, progress)
+    return Content(
+        level=dive,
+        species=tuple(species_of(one, file, motion[one]) for one, file in files.items()),
+        hash=content_hash(dive, files, motion),
+        disabled=tuple(disabled),
+    )
+
+
+def load_species(
+    name: str | os.PathLike[str], mods: Sequence[Path] = (), progress: Progress | None = None
+) -> Species:
+    """Return one species by name or YAML file, with its motion. Raise ContentError."""
+    known, _, found = find(SPECIES, name, mods)
+    file = known.species_file(found)
+    return species_of(found, file, repertoires(known, {found: file}, progress)[found])
+
+
+def read_species(
+    name: str | os.PathLike[str], mods: Sequence[Path] = ()
+) -> tuple[str, SpeciesFile]:
+    """Return one species' full name and checked file, by name or YAML file, without its motion."""
+    known, _, found = find(SPECIES, name, mods)
+    return found, known.species_file(found)
+
+
+def species_in(level: Level) -> list[str]:
+    """Return the full names of the species that a level names, sorted."""
+    named = {group.species for group in level.fishes} | {home.species for home in level.homes}
+    return sorted(named | {level.objective.photograph.species})
+
+
+def find(
+    kind: str, wanted: str | os.PathLike[str], mods: Sequence[Path]
+) -> tuple[Catalogue, list[DisabledMod], str]:
+    """Return the catalogue that holds a species or level, the mods left out, and its full name."""
+    text = os.fspath(wanted)
+    is_file = isinstance(wanted, Path) or "/" in text or os.sep in text
+    if not is_file and not text.endswith((".yaml", ".yml")):
+        known, disabled = catalogue([Path(mod) for mod in mods])
+        return known, disabled, _by_name(kind, text, known)
+    path = Path(text)
+    read_bytes(path)
+    home = enclosing_mod(path)
+    known, disabled = catalogue([Path(mod) for mod in (*mods, *([home] if home else []))])
+    real = path.resolve()
+    for name, definition in known.of(kind).items():
+        if definition.path.resolve() == real:
+            return known, disabled, name
+    trial, name = local(path, kind, known)
+    return trial, disabled, name
+
+
+def _by_name(kind: str, text: str, known: Catalogue) -> str:
+    try:
+        return known.find(kind, text, Mark(text))
+    except ContentError as error:
+        raise ContentError(Problem(text, 0, 0, p.message) for p in error.problems) from None
+
+
+def enclosing_mod(path: Path) -> Path | None:
+    """Return the folder of the mod in whose species/ or levels/ a file lies, or None."""
+    folder = path.absolute().parent.parent
+    if path.absolute().parent.name not in ("species", "levels"):
+        return None
+    if not (folder / "mod.yaml").is_file():
+        return None
+    try:
+        identity = node_at(read(folder / "mod.yaml"), ("id",))
+    except ContentError:
+        return folder
+    own = isinstance(identity, Scalar) and identity.value == BASE
+    return None if own else folder
+
+
+def repertoires(
+    known: Catalogue, files: Mapping[str, SpeciesFile], progress: Progress | None
+) -> dict[str, Repertoire]:
+    """Return the motion of each species; progress counts over all of them. Raise ContentError."""
+    found: dict[str, Repertoire] = {}
+    for index, (name, file) in enumerate(files.items()):
+        origins = known.origins(name)
+        for origin in origins:
+            check_inside(origin.repertoire, known.mods[origin.mod].root)
+        found[name] = repertoire_of(
+            body_of(file),
+            swim_of(file),
+            [origin.repertoire for origin in origins],
+            node_at(known.species_tree(name), ("swim",)).mark,
+            _part(progress, index, len(files), file.title),
+        )
+    return found
+
+
+def _part(progress: Progress | None, index: int, count: int, title: str) -> Progress | None:
+    if progress is None:
+        return None
+    tell = progress
+    return lambda fraction, what: tell((index + fraction) / count, f"{title}: {what}")

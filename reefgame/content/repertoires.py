@@ -1,0 +1,64 @@
+"""Where a species' motion comes from: shipped, else from the user's cache, else captured now and kept (DESIGN 4).
+
+A repertoire fits a species where its fingerprint is that of body, swim and kernels; what a mod ships for another body
+is stale and passed over.
+"""
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import TypeAlias
+
+from platformdirs import user_cache_path
+
+from components.body import Body, Swim
+from components.repertoire import Repertoire
+from components.repertoire_file import RepertoireError, load, save
+from reefgame.content.yaml_marks import Mark, shown
+
+Progress: TypeAlias = Callable[[float, str], None]
+"""Told how far the work is, 0 to 1, and what is being done."""
+
+
+def cache_folder() -> Path:
+    """Return where captured repertoires are kept, one file a fingerprint."""
+    return user_cache_path("reefgame") / "repertoires"
+
+
+def repertoire_of(
+    body: Body, swim: Swim, shipped: Sequence[Path], origin: Mark, progress: Progress | None
+) -> Repertoire:
+    """Return the repertoire of a species; `shipped` are the files that mods may hold of it, nearest first.
+
+    Raise ContentError where a shipped file is damaged, or where the body at `origin` does not swim.
+    """
+    from tools.capture.capture import capture, fingerprint
+
+    wanted = fingerprint(body, swim)
+    for path in shipped:
+        found = _shipped(path)
+        if found is not None and found.provenance.get("fingerprint") == wanted:
+            return found
+    kept = cache_folder() / f"{wanted}.npz"
+    with suppress(RepertoireError):
+        found = load(kept)
+        if found.provenance.get("fingerprint") == wanted:
+            return found
+    try:
+        captured = capture(body, swim, progress)
+    except ValueError as error:
+        raise origin.error(f"this body does not swim: {error}") from None
+    with suppress(OSError):
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        save(kept, captured)
+    return captured
+
+
+def _shipped(path: Path) -> Repertoire | None:
+    if not path.exists():
+        return None
+    try:
+        return load(path)
+    except RepertoireError as error:
+        reason = str(error).removeprefix(f"{path}: ")
+        raise Mark(shown(path)).error(reason) from None

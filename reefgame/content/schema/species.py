@@ -1,0 +1,275 @@
+"""What a species file may say: temper, size, body, fins, swimming and colours (FINDINGS 1b).
+
+Lengths on the body are in body lengths (`_bl`): 0 at the nose, 1 at the tip of the tail.
+"""
+
+from itertools import pairwise
+from typing import Annotated, Literal, TypeAlias
+
+from pydantic import Field, ValidationInfo, field_validator
+from pydantic_core import PydanticCustomError
+
+from reefgame.content.schema.strict import Colour, Fraction, Reference, Strict, Title
+
+Station: TypeAlias = Annotated[float, Field(ge=0.01, le=0.97)]
+Thickness: TypeAlias = Annotated[float, Field(ge=0.004, le=0.4)]
+BodyPlace: TypeAlias = tuple[Fraction, Annotated[float, Field(ge=-1.0, le=1.0)]]
+"""s from 0 at the nose to 1 at the tail's root, h from -1 at the belly to 1 at the back."""
+
+
+class School(Strict):
+    """How the species keeps company with its own kind."""
+
+    joins: bool
+    """Whether it swims in schools."""
+    spacing_bl: Annotated[float, Field(ge=0.3, le=10.0)] = 0.8
+    """The distance that it keeps in a school."""
+
+
+class BodyShape(Strict):
+    """The body at five stations from the gills to the root of the tail."""
+
+    at_bl: tuple[Station, Station, Station, Station, Station]
+    """Where the five stations are, from the nose backwards."""
+    half_width_bl: tuple[Thickness, Thickness, Thickness, Thickness, Thickness]
+    """Half the width of the body at each."""
+    half_height_bl: tuple[Thickness, Thickness, Thickness, Thickness, Thickness]
+    """Half the height of the body at each."""
+    stiffness: Annotated[float, Field(ge=0.2, le=5.0)] = 1.0
+    """Scale of all springs: 1 for most fishes."""
+
+    @field_validator("at_bl")
+    @classmethod
+    def _rises(cls, stations: tuple[float, ...]) -> tuple[float, ...]:
+        for before, after in pairwise(stations):
+            if after < before + 0.04:
+                message = "stations must rise from nose to tail, each at least 0.04 behind the last"
+                raise PydanticCustomError("stations", message)
+        return stations
+
+
+class MedianFin(Strict):
+    """A fin on the back or on the belly."""
+
+    from_bl: Fraction
+    """Where its root begins."""
+    to_bl: Fraction
+    """Where its root ends."""
+    height_bl: Annotated[float, Field(ge=0.0, le=0.5)]
+    """How far it stands out."""
+    lean_bl: Annotated[float, Field(ge=-0.2, le=0.3)] = 0.04
+    """How far its tip leans back."""
+
+    @field_validator("to_bl")
+    @classmethod
+    def _behind(cls, end: float, info: ValidationInfo) -> float:
+        if end <= info.data.get("from_bl", -1.0):
+            raise PydanticCustomError(
+                "fin", "a fin must end behind where it begins: to_bl > from_bl"
+            )
+        return end
+
+
+class Pectoral(Strict):
+    """The pair of fins behind the gills."""
+
+    at_bl: Annotated[float, Field(ge=0.05, le=0.8)] = 0.28
+    """Where they are rooted."""
+    length_bl: Annotated[float, Field(ge=0.0, le=0.5)] = 0.12
+    """How long they are."""
+    height: Annotated[float, Field(ge=-1.0, le=1.0)] = -0.2
+    """Where they are rooted, from -1 at the belly to 1 at the back."""
+
+
+class Tail(Strict):
+    """The caudal fin."""
+
+    half_span_bl: Annotated[float, Field(ge=0.02, le=0.4)]
+    """Half its height."""
+    fork_bl: Annotated[float, Field(ge=-0.1, le=0.2)] = 0.06
+    """How deeply it is forked; below 0 it is rounded."""
+
+
+class Fins(Strict):
+    """All fins. Write `dorsal: null` where there is none."""
+
+    tail: Tail
+    dorsal: MedianFin | None = None
+    anal: MedianFin | None = None
+    pectoral: Pectoral = Pectoral()
+
+
+class SwimStyle(Strict):
+    """What the muscles do at cruise; `reefgame capture` learns the motion from it."""
+
+    contraction_middle: Annotated[float, Field(ge=0.0, le=0.8)]
+    """How much the muscles of the middle shorten, as a fraction."""
+    contraction_rear: Annotated[float, Field(ge=0.0, le=0.8)]
+    """How much those of the rear shorten."""
+    lag_deg: Annotated[float, Field(ge=0.0, le=180.0)]
+    """How far the rear lags behind the middle, of 360 a beat."""
+    frequency_hz: Annotated[float, Field(ge=0.5, le=6.0)]
+    """Beats of the tail a second."""
+
+
+Height: TypeAlias = Annotated[float, Field(ge=-1.0, le=1.0)]
+Extent: TypeAlias = Annotated[float, Field(ge=0.005, le=2.0)]
+
+
+class GradientLayer(Strict):
+    """Colours that run into one another."""
+
+    paint: Literal["gradient"]
+    colours: Annotated[tuple[Colour, ...], Field(min_length=2, max_length=8)]
+    """From belly to back, or from nose to tail."""
+    at: Annotated[tuple[Height, ...], Field(max_length=8)] = ()
+    """The place of each colour: h, or s where it runs from nose to tail; evenly spread where left out."""
+    run: Literal["belly_to_back", "nose_to_tail"] = "belly_to_back"
+
+    @field_validator("at")
+    @classmethod
+    def _one_each(cls, at: tuple[float, ...], info: ValidationInfo) -> tuple[float, ...]:
+        colours = info.data.get("colours", ())
+        if at and colours and len(at) != len(colours):
+            text = "each colour needs one place: there are {places} places and {colours} colours"
+            raise PydanticCustomError(
+                "gradient", text, {"places": len(at), "colours": len(colours)}
+            )
+        if any(after <= before for before, after in pairwise(at)):
+            raise PydanticCustomError("gradient", "places must rise from one colour to the next")
+        return at
+
+
+class StripesLayer(Strict):
+    """Bars across the body, or lines along it."""
+
+    paint: Literal["stripes"]
+    colour: Colour
+    at: Annotated[tuple[Height, ...], Field(min_length=1, max_length=8)]
+    """Where: places s of bars (0 nose, 1 tail), heights h of lines (-1 belly, 1 back)."""
+    width: Annotated[float, Field(ge=0.005, le=1.0)]
+    softness: Annotated[float, Field(ge=0.0, le=0.5)] = 0.02
+    run: Literal["bars", "lines"] = "bars"
+    edge: Colour | None = None
+    """Colour of a thin rim."""
+    edge_width: Annotated[float, Field(ge=0.0, le=0.2)] = 0.012
+    bow: Annotated[float, Field(ge=-0.5, le=0.5)] = 0.0
+    """How far the middle bulges: of bars towards the tail, of lines towards the back."""
+    reach: tuple[Height, Height] = (-1.0, 1.0)
+    """The heights between which bars are drawn, or the places between which lines are."""
+    wobble: Fraction = 0.0
+    """Unevenness of the borders."""
+
+
+class SpotsLayer(Strict):
+    """Round spots, scattered by a seed or in a row."""
+
+    paint: Literal["spots"]
+    colour: Colour
+    count: Annotated[int, Field(ge=1, le=400)]
+    size: Annotated[float, Field(ge=0.002, le=0.3)]
+    seed: Annotated[int, Field(ge=0, le=1_000_000)] = 0
+    height: tuple[Height, Height] = (-1.0, 1.0)
+    """Lowest and highest h."""
+    reach: tuple[Fraction, Fraction] = (0.1, 0.95)
+    """First and last s."""
+    in_row: bool = False
+    """Evenly spaced along the body instead of scattered."""
+
+
+class PatchLayer(Strict):
+    """A soft ellipse, or a ring where `hollow` is above 0."""
+
+    paint: Literal["patch"]
+    colour: Colour
+    at: BodyPlace
+    size: tuple[Extent, Extent]
+    """Half the length (s) and half the height (h)."""
+    softness: Fraction = 0.15
+    hollow: Annotated[float, Field(ge=0.0, le=0.98)] = 0.0
+    tilt_deg: Annotated[float, Field(ge=-90.0, le=90.0)] = 0.0
+    """Turn of the ellipse, tail end up."""
+
+
+class ScalesLayer(Strict):
+    """A net of scales."""
+
+    paint: Literal["scales"]
+    size: Annotated[float, Field(ge=0.004, le=0.2)] = 0.02
+    strength: Fraction = 0.25
+
+
+SkinLayer: TypeAlias = Annotated[
+    GradientLayer | StripesLayer | SpotsLayer | PatchLayer | ScalesLayer,
+    Field(discriminator="paint"),
+]
+
+
+class EyeLook(Strict):
+    """The eye."""
+
+    at: BodyPlace = (0.07, 0.25)
+    radius: Annotated[float, Field(ge=0.004, le=0.1)] = 0.022
+    iris: Colour = "#e6cc4d"
+    pupil: Fraction = 0.5
+    """The pupil's radius over the eye's."""
+
+
+class SkinLook(Strict):
+    """Layers painted one over the other, the eye and the colours of the fins."""
+
+    layers: Annotated[tuple[SkinLayer, ...], Field(min_length=1, max_length=12)]
+    eye: EyeLook = EyeLook()
+    fins: Colour
+    """Colour of dorsal, anal and pectoral fins."""
+    fins_edge: Colour | None = None
+    """Colour of the outer rim of dorsal and anal fins."""
+    fins_opacity: Fraction = 0.8
+    """How little shines through the fins."""
+    pectoral: Colour | None = None
+    """Colour of the pectoral fins, where they differ from the others."""
+    tail: Colour
+    """Colour of the caudal fin."""
+    tail_edge: Colour | None = None
+    """Colour of the caudal fin's upper and lower borders."""
+    gill_at: Annotated[float, Field(ge=0.05, le=0.5)] = 0.21
+    """Where the gill cover ends."""
+    gill_strength: Fraction = 0.5
+    """How dark the gill cover's line is."""
+    shine: Fraction = 0.3
+    """Strength of the silvery glint."""
+
+
+class SpeciesFile(Strict):
+    """A species: `species/NAME.yaml` of a mod. With `like:` only what differs needs to stand here."""
+
+    title: Title
+    """What players read."""
+    like: Reference | None = None
+    """A species to start from: all that does not stand here is as there."""
+    overrides: Reference | None = None
+    """A species of another mod to change: what stands here replaces what stands there."""
+    role: Literal["prey", "predator", "pacifist"]
+    size_cm: Annotated[float, Field(ge=1.0, le=2000.0)]
+    """Length of an adult from nose to tail tip."""
+    size_spread_percent: Annotated[float, Field(ge=0.0, le=50.0)] = 10.0
+    """How much single fishes differ from it at most."""
+    sight_m: Annotated[float, Field(ge=0.1, le=50.0)]
+    """How far it sees fishes of its own size in clear water."""
+    depth_m: tuple[
+        Annotated[float, Field(ge=0.0, le=500.0)], Annotated[float, Field(ge=0.0, le=500.0)]
+    ]
+    """Shallowest and deepest that it likes."""
+    school: School
+    body: BodyShape
+    fins: Fins
+    swim: SwimStyle
+    skin: SkinLook
+
+    @field_validator("depth_m")
+    @classmethod
+    def _deeper(cls, depth: tuple[float, float]) -> tuple[float, float]:
+        if depth[0] >= depth[1]:
+            message = "the shallowest comes first, then the deepest, such as [2, 12]"
+            raise PydanticCustomError("depth", message)
+        return depth

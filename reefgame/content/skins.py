@@ -1,0 +1,77 @@
+"""A skin as a species file says it, turned into the layers that the view paints (components/skin.py)."""
+
+from components import skin
+from reefgame.content.schema import species as said
+
+
+def colour_of(text: str) -> skin.Colour:
+    """Return "#rrggbb" as three numbers from 0 to 1."""
+    red, green, blue = (int(text[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
+    return red, green, blue
+
+
+def _or_none(text: str | None) -> skin.Colour | None:
+    return None if text is None else colour_of(text)
+
+
+def _layer(layer: said.SkinLayer) -> skin.Layer:
+    match layer:
+        case said.GradientLayer():
+            colours = tuple(colour_of(colour) for colour in layer.colours)
+            return skin.Gradient(colours, layer.run == "nose_to_tail", layer.at)
+        case said.StripesLayer():
+            return _stripes(layer)
+        case said.SpotsLayer():
+            return skin.Spots(
+                colour_of(layer.colour),
+                layer.count,
+                layer.size,
+                layer.seed,
+                layer.height,
+                layer.reach,
+                layer.in_row,
+            )
+        case said.PatchLayer():
+            return skin.Patch(
+                colour_of(layer.colour),
+                layer.at,
+                layer.size,
+                layer.softness,
+                layer.hollow,
+                layer.tilt_deg,
+            )
+        case said.ScalesLayer():
+            return skin.Scales(layer.size, layer.strength)
+
+
+def _stripes(layer: said.StripesLayer) -> skin.Stripes:
+    return skin.Stripes(
+        colour=colour_of(layer.colour),
+        at=layer.at,
+        width=layer.width,
+        softness=layer.softness,
+        along=layer.run == "lines",
+        edge=_or_none(layer.edge),
+        edge_width=layer.edge_width,
+        bow=layer.bow,
+        reach=layer.reach,
+        wobble=layer.wobble,
+    )
+
+
+def skin_of(look: said.SkinLook) -> skin.Skin:
+    """Return the skin that a species file describes."""
+    eye = look.eye
+    return skin.Skin(
+        layers=tuple(_layer(layer) for layer in look.layers),
+        eye=skin.Eye(eye.at, eye.radius, colour_of(eye.iris), eye.pupil),
+        fin=colour_of(look.fins),
+        tail=colour_of(look.tail),
+        shine=look.shine,
+        fin_edge=_or_none(look.fins_edge),
+        tail_edge=_or_none(look.tail_edge),
+        fin_opacity=look.fins_opacity,
+        pectoral=_or_none(look.pectoral),
+        gill_at=look.gill_at,
+        gill_strength=look.gill_strength,
+    )
