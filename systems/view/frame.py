@@ -83,14 +83,14 @@ def frame_values(camera: Camera, width: int, height: int, seconds: float, look: 
 class FrameBlock:
     """The uniform buffer of the block `Frame`, and the water's maps that go with it.
 
-    `update` leaves both bound: uniform buffer binding 3 and the texture units of `SAMPLER_UNITS`.
+    `smooth` maps cost software GL a fifth of a frame. `update` leaves both bound: uniform buffer binding 3 and the texture units of `SAMPLER_UNITS`.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, smooth: bool = True) -> None:
         ensure_context()
         from pyglet import gl
 
-        self._maps = WaterMaps()
+        self._maps = WaterMaps(smooth)
         self._buffer = c_uint()
         gl.glGenBuffers(1, byref(self._buffer))
         gl.glBindBuffer(gl.GL_UNIFORM_BUFFER, self._buffer)

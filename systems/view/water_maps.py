@@ -122,12 +122,13 @@ def _unit(values: Float64s, low: float, high: float) -> Float64s:
     return np.clip((values - low) / (high - low), 0.0, 1.0)
 
 
-def upload(values: Float64s) -> c_uint:
+def upload(values: Float64s, smooth: bool = True) -> c_uint:
     """Return a new repeating, mipmapped RGBA8 texture of `values`, (rows, columns, 4) of 0..1."""
     from pyglet import gl
 
     texels = np.ascontiguousarray(np.rint(values * 255).astype(np.uint8))
     texture = c_uint()
+    smaller = gl.GL_LINEAR_MIPMAP_LINEAR if smooth else gl.GL_LINEAR_MIPMAP_NEAREST
     gl.glGenTextures(1, byref(texture))
     gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
     gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
@@ -139,7 +140,7 @@ def upload(values: Float64s) -> c_uint:
         (gl.GL_TEXTURE_WRAP_S, gl.GL_REPEAT),
         (gl.GL_TEXTURE_WRAP_T, gl.GL_REPEAT),
         (gl.GL_TEXTURE_MAG_FILTER, gl.GL_LINEAR),
-        (gl.GL_TEXTURE_MIN_FILTER, gl.GL_LINEAR_MIPMAP_LINEAR),
+        (gl.GL_TEXTURE_MIN_FILTER, smaller),
     ):
         gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
     gl.glGenerateMipmap(gl.GL_TEXTURE_2D)
@@ -147,14 +148,18 @@ def upload(values: Float64s) -> c_uint:
 
 
 class WaterMaps:
-    """The three maps as textures, for the units that `SAMPLER_UNITS` names."""
+    """The three maps as textures, for the units that `SAMPLER_UNITS` names.
 
-    def __init__(self) -> None:
+    Not `smooth`, they step from size to size: a fifth of a frame on software GL.
+    """
+
+    def __init__(self, smooth: bool = True) -> None:
         ensure_context()
         makers = {"water_map": water_map, "surface_map": surface_map, "relief_map": relief_map}
         # Maps are indexed [x, y]; a texture's rows run along y.
         self._textures = {
-            unit: upload(makers[name]().swapaxes(0, 1)) for name, unit in SAMPLER_UNITS.items()
+            unit: upload(makers[name]().swapaxes(0, 1), smooth)
+            for name, unit in SAMPLER_UNITS.items()
         }
 
     def bind(self) -> None:

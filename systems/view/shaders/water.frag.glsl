@@ -26,7 +26,7 @@ vec3 surface(vec3 direction, float far) {
     vec3 sky = mix(vec3(.26, .50, .55), vec3(.78, .84, .84), cloud);
     sky += sun.w * vec3(1., .95, .85) * (.5 * glare + 9. * pow(glare, 48.));
     vec3 mirrored = veil(vec3(direction.xy, -.3 * direction.z)) * (1.1 + 1.3 * slope.x + .9 * slope.y);
-    return mix(mirrored, sky, min(window, .95)) + vec3(.25, .42, .45) * (.55 * rim + .35 * vein) * (1. - .6 * window);
+    return mix(mirrored, sky, min(window, .95)) + vec3(.25, .42, .45) * (.42 * rim + .22 * vein) * (1. - .6 * window);
 }
 
 void main() {

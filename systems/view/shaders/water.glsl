@@ -32,7 +32,9 @@ vec3 sunlight_in(vec3 world, vec3 normal, vec2 reached) {
     float depth = max(-world.z, 0.);
     vec3 left = exp(-.55 * ABSORB * depth * (CLEAR / water.x));
     float facing = max(dot(normal, sun.xyz), 0.);
+    vec3 way = world - eye.xyz;
     float clear = water.y * (1. - .5 * smoothstep(6., 30., depth)) * smoothstep(.05, .75, normal.z);
+    clear /= 1. + .0007 * dot(way, way);
     float net = mix(.62, caustics(world), clear);
     vec3 sky = mix(vec3(.07, .13, .12), SKY_COLOUR, .5 + .5 * normal.z);
     return left * (SUN_COLOUR * sun.w * facing * reached.y * (.24 + .86 * net) + sky * reached.x);

@@ -1,0 +1,97 @@
+"""What is drawn, in order: seabed, rocks, open water behind them, fishes, motes (DESIGN 3, 5).
+
+The water fills only the pixels that nothing has covered yet, so its shader, the dearest, runs once
+a pixel; fishes come after it because their fins are blended over what lies behind.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from components.camera import Camera
+from reefgame.content.schema.level import Level
+from systems.view.context import ensure_context
+from systems.view.draw_fish import DrawFish
+from systems.view.draw_ground import DrawGround
+from systems.view.draw_motes import DrawMotes
+from systems.view.draw_rocks import DrawRocks
+from systems.view.draw_water import DrawWater
+from systems.view.frame import FrameBlock, Look
+from systems.view.target import start_drawing, stop_drawing
+
+if TYPE_CHECKING:
+    from reefgame.world import World
+
+
+@dataclass(frozen=True)
+class Quality:
+    """How much work a picture is worth."""
+
+    defines: tuple[str, ...]
+    "of the shaders of the sea"
+    motes: int
+    samples: int
+    "of a target that shows this scene; 0 smooths no edges"
+    height: int
+    "[px] of the largest target worth drawing; a window shows it stretched"
+
+
+QUALITIES: Final = {
+    "low": Quality(("LOW",), motes=300, samples=0, height=360),
+    "high": Quality((), motes=900, samples=4, height=2160),
+}
+"""By the name that settings give; low serves software OpenGL."""
+
+
+def look_of(level: Level) -> Look:
+    """Return what the level says of its water and sun, as the view wants it."""
+    return Look(
+        visibility=level.water.visibility_m,
+        depth=level.world.depth_m,
+        sun_elevation=level.sun.elevation_deg,
+        sun_azimuth=level.sun.azimuth_deg,
+    )
+
+
+class Scene:
+    """Draws one world. Reads its terrain and population; writes to the GPU only.
+
+    `quality` is a key of QUALITIES. Raise NoOpenGLError where nothing can be drawn.
+    """
+
+    def __init__(self, world: "World", quality: str = "high") -> None:
+        ensure_context()
+        self.quality = QUALITIES[quality]
+        self._world = world
+        self._look = look_of(world.level)
+        defines = self.quality.defines
+        self._frame = FrameBlock(smooth=quality == "high")
+        self._ground = DrawGround(world.terrain, self._look.sun(), defines)
+        self._rocks = DrawRocks(world.terrain, defines)
+        self._water = DrawWater(defines)
+        self._fish = DrawFish(world.species, world.library)
+        self._motes = DrawMotes(self.quality.motes)
+
+    def draw(self, camera: Camera, alpha: float, width: int, height: int, seconds: float) -> None:
+        """Draw into the bound framebuffer of width x height [px], all of it.
+
+        Fishes stand `alpha` of the way from the last tick to this; water and motes move by `seconds`.
+        """
+        aspect = width / height
+        start_drawing(width, height)
+        self._frame.update(camera, width, height, seconds, self._look)
+        self._ground.draw(camera, aspect)
+        self._rocks.draw(camera, aspect, height)
+        self._water.draw()
+        self._fish.draw(
+            *(self._world.population, camera, alpha, seconds, height, self._look.visibility),
+            aspect=aspect,
+        )
+        self._motes.draw()
+        stop_drawing()
+
+    def delete(self) -> None:
+        """Free all that the scene holds on the GPU."""
+        for part in (
+            *(self._frame, self._ground, self._rocks, self._water, self._fish, self._motes),
+        ):
+            part.delete()

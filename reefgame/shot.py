@@ -1,0 +1,138 @@
+"""Pictures taken without a window: `reefgame shot` and whoever wants one of a world."""
+
+import argparse
+import os
+from pathlib import Path
+
+import numpy as np
+
+from components.arrays import Float64s
+from components.camera import Camera, camera_towards
+from components.clock import TICKS_PER_SECOND
+from components.fish import Population
+from components.repertoire import pack
+from components.species import Species
+from reefgame.console import InputError, progress_bar
+from reefgame.content import load, load_species
+from reefgame.filming import cockpit
+from reefgame.scene import QUALITIES, Scene
+from reefgame.world import World
+from systems.view.context import ensure_context
+from systems.view.draw_fish import DrawFish
+from systems.view.draw_water import DrawWater
+from systems.view.frame import FrameBlock, Look
+from systems.view.target import Target, UInt8s, start_drawing, stop_drawing, write_png
+
+
+def take_picture(
+    world: World, camera: Camera, width: int, height: int, seconds: float, path: Path
+) -> None:
+    """Write what `camera` sees of `world` as a PNG of width x height [px], whole or not at all.
+
+    Water and motes stand as they do after `seconds`. Raise NoOpenGLError, TargetError for a size
+    that cannot be drawn here, OSError where the file cannot be written.
+    """
+    write_png(path, picture(world, camera, width, height, seconds))
+
+
+def picture(
+    world: World,
+    camera: Camera,
+    width: int,
+    height: int,
+    seconds: float,
+    quality: str = "high",
+) -> UInt8s:
+    """Return what `camera` sees of `world`, (height, width, 3), the top row first."""
+    with Target(width, height, QUALITIES[quality].samples) as target:
+        scene = Scene(world, quality)
+        target.bind()
+        scene.draw(camera, 1.0, width, height, seconds)
+        drawn = target.read()
+        scene.delete()
+    return drawn
+
+
+def shoot(options: argparse.Namespace) -> None:
+    """Take the picture that `reefgame shot` was asked for; options are those of the command line.
+
+    Raise ContentError, InputError, NoOpenGLError or TargetError, one line each.
+    """
+    check_writable(options.output)
+    ensure_context()
+    if options.species is not None:
+        drawn = portrait(load_species(options.species, options.mod), *options.size)
+    else:
+        world = _dived(options)
+        seconds = options.tick / TICKS_PER_SECOND
+        width, height = options.size
+        drawn = picture(world, _camera(world, options), width, height, seconds)
+    write_png(options.output, drawn)
+
+
+def check_writable(path: Path) -> None:
+    """Raise InputError where no picture can be written at `path`, before any work is done."""
+    if path.is_dir() or not path.absolute().parent.is_dir():
+        raise InputError(f"{path}: cannot be written: its folder is missing, or it is one itself")
+    if not os.access(path.absolute().parent, os.W_OK):
+        raise InputError(f"{path}: cannot be written: its folder is protected")
+
+
+def portrait(species: Species, width: int, height: int, seconds: float = 0.0) -> UInt8s:
+    """Return the right side of an adult `species` in open water, (height, width, 3)."""
+    look = Look(sun_azimuth=250.0)
+    at = np.array([0.0, 0.0, -4.0])
+    slope = 0.41
+    away = 0.62 * species.length / slope * max(1.0, height / width * 1.2)
+    camera = camera_towards(at + np.array([0.25, -1.0, 0.12]) * away, at, slope)
+    with Target(width, height, QUALITIES["high"].samples) as target:
+        frame, water, fish = (
+            FrameBlock(),
+            DrawWater(),
+            DrawFish([species], pack([species.repertoire])),
+        )
+        target.bind()
+        start_drawing(width, height)
+        frame.update(camera, width, height, seconds, look)
+        water.draw()
+        fish.draw(
+            _alone(species, at), camera, 1.0, seconds, height, look.visibility, width / height
+        )
+        stop_drawing()
+        drawn = target.read()
+        for part in (frame, water, fish):
+            part.delete()
+    return drawn
+
+
+def _alone(species: Species, at: Float64s) -> Population:
+    """Return a population of one adult that looks along x, upright, in its first frame."""
+    population = Population()
+    row = population.append(np.zeros(1, np.int64))
+    fish = population.fish
+    fish.length[row] = species.length
+    fish.position[row] = fish.last_position[row] = at
+    # Columns: anterior along x, dorsal up, right along -y.
+    upright = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+    fish.rotation[row] = fish.last_rotation[row] = upright
+    return population
+
+
+def _dived(options: argparse.Namespace) -> World:
+    """Return the level's world after the ticks asked for."""
+    with progress_bar("loading") as report:
+        content = load(options.level, options.mod, report)
+        world = World.build(content, options.seed or 0)
+    with progress_bar("diving") as report:
+        for tick in range(options.tick):
+            world.tick()
+            if tick % TICKS_PER_SECOND == 0:
+                report(tick / options.tick, "diving")
+    return world
+
+
+def _camera(world: World, options: argparse.Namespace) -> Camera:
+    if options.at is None:
+        return cockpit(world)
+    eye = cockpit(world).eye if options.eye is None else np.array(options.eye)
+    return camera_towards(eye, np.array(options.at))
