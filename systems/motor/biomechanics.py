@@ -2,19 +2,20 @@
 
 Each substep of 1/240 s solves (M + dt C + dt^2 K + dt D) v' = M v + dt f for the 23 nodal velocities, then moves the
 nodes: 69 equations, symmetric and positive definite, half-bandwidth 23 in natural order. C and K are the springs'
-dampers and tangents, D the water's drag. The band holds the upper triangle: entry (i, j) at 23 i + j of a flat array.
+dampers and tangents, D the water's drag. The band holds the upper triangle: entry (i, j) at 24 i + j of a flat array.
 
 Only + - * / sqrt on the caller's arrays, so every machine computes the same bits, and a fish costs no allocation.
 """
 
 from math import sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from components.arrays import Float64s, Int64s
 from components.body import NODES
 from components.kernels import row
+from systems.motor.contract import Stroke, contract
 from systems.motor.muscle_model import (
     FACE,
     FACE_SEGMENT,
@@ -31,8 +32,8 @@ SUBSTEPS: Final = 4
 
 SUBSTEP_SECONDS: Final = 1.0 / 240.0
 UNKNOWNS: Final = 3 * NODES
-BAND_SIZE: Final = 23 * UNKNOWNS + UNKNOWNS
-"""Length of the flat band."""
+BAND_SIZE: Final = 25 * UNKNOWNS
+"""Length of the flat band. A stride of 24 leaves the places just below the diagonal free to be written over."""
 
 LIFT: Final = 400.0
 """Water's drag on a face that moves outwards, c_l."""
@@ -42,6 +43,26 @@ SKIN_FRICTION: Final = 0.5
 
 STREAMLINING: Final = 0.25
 """How much of a normal's part along the centre line the water feels, s."""
+
+
+class Workspace(NamedTuple):
+    """Scratch of one fish in live physics; only `rest` means anything between substeps."""
+
+    rest: Float64s
+    "[BL] lengths that the springs strive for, the first 12 the muscles', (91,)"
+    axes: Float64s
+    "the centre line's directions, (6, 3)"
+    band: Float64s
+    "(BAND_SIZE,)"
+    right: Float64s
+    "right side, then the new velocities, (69,)"
+
+
+def workspace(model: BodyModel) -> Workspace:
+    """Return scratch for a relaxed fish."""
+    return Workspace(
+        model.length.copy(), np.zeros((SEGMENTS, 3)), np.zeros(BAND_SIZE), np.zeros(UNKNOWNS)
+    )
 
 
 def _row_ends() -> Int64s:
@@ -59,13 +80,13 @@ ROW_END: Final = _row_ends()
 def _add_diagonal(
     band: Float64s, node: int, xx: float, xy: float, xz: float, yy: float, yz: float, zz: float
 ) -> None:
-    at = 72 * node
+    at = 75 * node
     band[at] += xx
     band[at + 1] += xy
     band[at + 2] += xz
-    band[at + 24] += yy
-    band[at + 25] += yz
-    band[at + 48] += zz
+    band[at + 25] += yy
+    band[at + 26] += yz
+    band[at + 50] += zz
 
 
 @row
@@ -75,12 +96,12 @@ def _add_coupling(
     band[at] += xx
     band[at + 1] += xy
     band[at + 2] += xz
-    band[at + 23] += xy
-    band[at + 24] += yy
-    band[at + 25] += yz
-    band[at + 46] += xz
-    band[at + 47] += yz
-    band[at + 48] += zz
+    band[at + 24] += xy
+    band[at + 25] += yy
+    band[at + 26] += yz
+    band[at + 48] += xz
+    band[at + 49] += yz
+    band[at + 50] += zz
 
 
 @row
@@ -89,7 +110,7 @@ def _add_inertia(mass: Float64s, velocity: Float64s, band: Float64s, momentum: F
         band[i] = 0.0
     for node in range(NODES):
         for axis in range(3):
-            band[24 * (3 * node + axis)] = mass[node]
+            band[25 * (3 * node + axis)] = mass[node]
             momentum[3 * node + axis] = mass[node] * velocity[node, axis]
 
 
@@ -120,7 +141,7 @@ def _add_springs(
         xy, xz, yz = along * x * y, along * x * z, along * y * z
         _add_diagonal(band, a, xx, xy, xz, yy, yz, zz)
         _add_diagonal(band, b, xx, xy, xz, yy, yz, zz)
-        _add_coupling(band, 69 * a + 3 * b, -xx, -xy, -xz, -yy, -yz, -zz)
+        _add_coupling(band, 72 * a + 3 * b, -xx, -xy, -xz, -yy, -yz, -zz)
 
 
 @row
@@ -194,83 +215,108 @@ def _add_face(
         _add_diagonal(band, m, own * xx, own * xy, own * xz, own * yy, own * yz, own * zz)
         for j in range(i + 1, corners):
             n = FACE[face, j]
-            at = 69 * min(m, n) + 3 * max(m, n)
+            at = 72 * min(m, n) + 3 * max(m, n)
             _add_coupling(band, at, own * xx, own * xy, own * xz, own * yy, own * yz, own * zz)
 
 
 @row
-def _eliminate(band: Float64s, right: Float64s) -> None:
-    """Turn the band into U of U^T U and the right side into U^-T times itself, three unknowns of a node at a time."""
+def _factor_node(band: Float64s, right: Float64s, first: int, end: int) -> None:
+    """Turn the three rows from `first` on into rows of U, their diagonal into inverses."""
+    one, two, three = 24 * first, 24 * first + 24, 24 * first + 48
+    a = 1.0 / sqrt(band[one + first])
+    for j in range(first + 1, end):
+        band[one + j] *= a
+    f, g = band[one + first + 1], band[one + first + 2]
+    b = 1.0 / sqrt(band[two + first + 1] - f * f)
+    for j in range(first + 2, end):
+        band[two + j] = (band[two + j] - f * band[one + j]) * b
+    h = band[two + first + 2]
+    c = 1.0 / sqrt(band[three + first + 2] - (g * g + h * h))
+    for j in range(first + 3, end):
+        band[three + j] = (band[three + j] - (g * band[one + j] + h * band[two + j])) * c
+    band[one + first], band[two + first + 1], band[three + first + 2] = a, b, c
+    right[first] *= a
+    right[first + 1] = (right[first + 1] - f * right[first]) * b
+    right[first + 2] = (right[first + 2] - (g * right[first] + h * right[first + 1])) * c
+
+
+@row
+def _reduce_node(band: Float64s, right: Float64s, first: int, q: int, end: int) -> None:
+    """Take the outer product of the three rows at `first` from the three rows at `q`."""
+    one, two, three = 24 * first, 24 * first + 24, 24 * first + 48
+    f0, f1, f2 = band[one + q], band[two + q], band[three + q]
+    g0, g1, g2 = band[one + q + 1], band[two + q + 1], band[three + q + 1]
+    h0, h1, h2 = band[one + q + 2], band[two + q + 2], band[three + q + 2]
+    r0, r1, r2 = right[first], right[first + 1], right[first + 2]
+    right[q] -= f0 * r0 + f1 * r1 + f2 * r2
+    right[q + 1] -= g0 * r0 + g1 * r1 + g2 * r2
+    right[q + 2] -= h0 * r0 + h1 * r1 + h2 * r2
+    t0, t1, t2 = 24 * q, 24 * q + 24, 24 * q + 48
+    for j in range(q, end):
+        p0, p1, p2 = band[one + j], band[two + j], band[three + j]
+        band[t0 + j] -= f0 * p0 + f1 * p1 + f2 * p2
+        band[t1 + j] -= g0 * p0 + g1 * p1 + g2 * p2
+        band[t2 + j] -= h0 * p0 + h1 * p1 + h2 * p2
+
+
+@row
+def solve(band: Float64s, right: Float64s) -> None:
+    """Solve for `right` (69,) in place by banded Cholesky, a node's three unknowns at a time; `band` is used up."""
     for node in range(NODES):
-        end = ROW_END[node]
-        for axis in range(3):
-            i = 3 * node + axis
-            base = 23 * i
-            inverse = 1.0 / sqrt(band[base + i])
-            band[base + i] = inverse
-            right[i] *= inverse
-            for j in range(i + 1, end):
-                band[base + j] *= inverse
-            for r in range(i + 1, 3 * node + 3):
-                factor = band[base + r]
-                right[r] -= factor * right[i]
-                for j in range(r, end):
-                    band[23 * r + j] -= factor * band[base + j]
+        first, end = 3 * node, ROW_END[node]
+        _factor_node(band, right, first, end)
+        for q in range(first + 3, end, 3):
+            _reduce_node(band, right, first, q, end)
+    for node in range(NODES - 1, -1, -1):
         first = 3 * node
-        one, two, three = 23 * first, 23 * first + 23, 23 * first + 46
-        for r in range(first + 3, end):
-            f, g, h = band[one + r], band[two + r], band[three + r]
-            right[r] -= f * right[first] + g * right[first + 1] + h * right[first + 2]
-            for j in range(r, end):
-                band[23 * r + j] -= f * band[one + j] + g * band[two + j] + h * band[three + j]
+        one, two, three = 24 * first, 24 * first + 24, 24 * first + 48
+        a, b, c = right[first], right[first + 1], right[first + 2]
+        for j in range(first + 3, ROW_END[node]):
+            a -= band[one + j] * right[j]
+            b -= band[two + j] * right[j]
+            c -= band[three + j] * right[j]
+        c *= band[three + first + 2]
+        b = (b - band[two + first + 2] * c) * band[two + first + 1]
+        a = (a - (band[one + first + 1] * b + band[one + first + 2] * c)) * band[one + first]
+        right[first], right[first + 1], right[first + 2] = a, b, c
 
 
 @row
-def _substitute(band: Float64s, right: Float64s) -> None:
-    """Solve U v = right in place; U's diagonal holds inverses."""
-    for i in range(UNKNOWNS - 1, -1, -1):
-        base = 23 * i
-        total = right[i]
-        for j in range(i + 1, ROW_END[i // 3]):
-            total -= band[base + j] * right[j]
-        right[i] = total * band[base + i]
+def assemble(model: BodyModel, position: Float64s, velocity: Float64s, work: Workspace) -> None:
+    """Write the band and right side of one substep from `work.rest`; `position` and `velocity` are (23, 3)."""
+    _add_inertia(model.mass, velocity, work.band, work.right)
+    _add_springs(model, work.rest, position, work.band, work.right)
+    _add_water(position, velocity, work.axes, work.band)
 
 
 @row
-def assemble(
-    model: BodyModel,
-    rest: Float64s,
-    position: Float64s,
-    velocity: Float64s,
-    axes: Float64s,
-    band: Float64s,
-    right: Float64s,
-) -> None:
-    """Write the band (1656,) and right side (69,) of one substep; `rest` [BL] (91,) are the springs' lengths now.
-
-    `position` [BL] and `velocity` [BL/s] are (23, 3); `axes` (6, 3) is scratch.
-    """
-    _add_inertia(model.mass, velocity, band, right)
-    _add_springs(model, rest, position, band, right)
-    _add_water(position, velocity, axes, band)
-
-
-@row
-def substep(
-    model: BodyModel,
-    rest: Float64s,
-    position: Float64s,
-    velocity: Float64s,
-    axes: Float64s,
-    band: Float64s,
-    right: Float64s,
-) -> None:
-    """Advance `position` and `velocity` in place by 1/240 s; arguments as in `assemble`."""
-    assemble(model, rest, position, velocity, axes, band, right)
-    _eliminate(band, right)
-    _substitute(band, right)
+def move_nodes(position: Float64s, velocity: Float64s, right: Float64s) -> None:
+    """Take over the new velocities [BL/s] in `right` (69,) and move the nodes [BL] for 1/240 s."""
     for node in range(NODES):
         for axis in range(3):
             speed = right[3 * node + axis]
             velocity[node, axis] = speed
             position[node, axis] += SUBSTEP_SECONDS * speed
+
+
+@row
+def substep(model: BodyModel, position: Float64s, velocity: Float64s, work: Workspace) -> None:
+    """Advance `position` [BL] and `velocity` [BL/s], (23, 3) each, in place by 1/240 s."""
+    assemble(model, position, velocity, work)
+    solve(work.band, work.right)
+    move_nodes(position, velocity, work.right)
+
+
+@row
+def advance(
+    model: BodyModel,
+    stroke: Stroke,
+    frame: int,
+    position: Float64s,
+    velocity: Float64s,
+    work: Workspace,
+) -> None:
+    """Advance one frame of 1/60 s of `stroke`; `frame` counts from the stroke's start."""
+    for step in range(SUBSTEPS * frame, SUBSTEPS * (frame + 1)):
+        contract(stroke, model.length, step, SUBSTEP_SECONDS, work.rest)
+        substep(model, position, velocity, work)

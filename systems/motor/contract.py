@@ -58,6 +58,12 @@ def _ease(fraction: float) -> float:
 
 
 @row
+def _agonist(bend: float) -> float:
+    """Return the contraction of the side that `bend` pulls: the other side extends."""
+    return bend if bend > 0.0 else EXTENSION * bend
+
+
+@row
 def pulse(segment: int, seconds: float) -> float:
     """Return the contraction of a full turn's pulse in `segment`, `seconds` after the turn's start."""
     top, start, rise = TURN_PULSE[segment, 0], TURN_PULSE[segment, 1], TURN_PULSE[segment, 2]
@@ -74,17 +80,19 @@ def contract(
     """Write the rest lengths [BL] of the 12 muscles into `rest` (91,), from the springs' `length` (91,)."""
     ramp = min(1.0, substep * substep_seconds / RAMP_SECONDS)
     beat = TWO_PI * ((substep % stroke.period) / stroke.period) + stroke.offset
-    middle = sine(beat)
-    rear = sine(beat - stroke.lag)
     age = (substep - stroke.turn_at) * substep_seconds
-    for muscle in range(MUSCLES):
-        segment = muscle // 4
-        side = 1.0 if LEFT[muscle % 4] == 1 else -1.0
-        contraction = 0.0
+    for segment in range(MUSCLES // 4):
+        mean, swing, bend = 0.0, 0.0, 0.0
         if segment == 1:
-            contraction = 0.5 * ramp * stroke.middle * (1.0 + side * middle)
+            mean = 0.5 * ramp * stroke.middle
+            swing = mean * sine(beat)
         if segment == 2:
-            contraction = 0.5 * ramp * stroke.rear * (1.0 + side * rear)
-        bend = side * stroke.turn * pulse(segment, age)
-        contraction += bend if bend > 0.0 else EXTENSION * bend
-        rest[muscle] = length[muscle] * (1.0 - contraction)
+            mean = 0.5 * ramp * stroke.rear
+            swing = mean * sine(beat - stroke.lag)
+        if stroke.turn != 0.0:
+            bend = stroke.turn * pulse(segment, age)
+        left = mean + swing + _agonist(bend)
+        right = mean - swing + _agonist(-bend)
+        for muscle in range(4 * segment, 4 * segment + 4):
+            contraction = left if LEFT[muscle % 4] == 1 else right
+            rest[muscle] = length[muscle] * (1.0 - contraction)

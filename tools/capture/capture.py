@@ -7,9 +7,12 @@ is + - * / sqrt, so a capture writes the same bytes on every machine.
 
 import hashlib
 from collections.abc import Callable, Iterator
+from dataclasses import astuple
 from math import floor
 from pathlib import Path
 from typing import Final
+
+import numpy as np
 
 import components.trigonometry
 import systems.motor.biomechanics
@@ -96,7 +99,7 @@ def fingerprint(body: Body, swim: Swim) -> str:
     digest = hashlib.blake2b(digest_size=16)
     for numbers in body_model(body, swim):
         digest.update(numbers.astype("<f8").tobytes())
-    digest.update(repr(swim).encode())
+    digest.update(np.array(astuple(swim), "<f8").tobytes())
     for source in (__file__, *(str(module.__file__) for module in _SOURCES)):
         digest.update(Path(source).read_bytes().replace(b"\r\n", b"\n"))
     return digest.hexdigest()

@@ -6,16 +6,10 @@ import numpy as np
 
 from components.arrays import Float64s
 from components.kernels import serial
-from systems.motor.biomechanics import (
-    BAND_SIZE,
-    SUBSTEP_SECONDS,
-    SUBSTEPS,
-    UNKNOWNS,
-    substep,
-)
+from systems.motor.biomechanics import Workspace, advance, workspace
 from systems.motor.body_frame import body_frame
-from systems.motor.contract import Stroke, contract
-from systems.motor.muscle_model import SEGMENTS, BodyModel
+from systems.motor.contract import Stroke
+from systems.motor.muscle_model import BodyModel
 
 
 @dataclass(frozen=True)
@@ -34,20 +28,15 @@ class Recording:
 def _run(
     model: BodyModel,
     stroke: Stroke,
-    rest: Float64s,
     position: Float64s,
-    velocity: Float64s,
-    axes: Float64s,
-    band: Float64s,
-    right: Float64s,
+    work: Workspace,
     nodes: Float64s,
     origin: Float64s,
     rotation: Float64s,
 ) -> None:
+    velocity = np.zeros_like(position)
     for frame in range(len(nodes)):
-        for step in range(SUBSTEPS * frame, SUBSTEPS * (frame + 1)):
-            contract(stroke, model.length, step, SUBSTEP_SECONDS, rest)
-            substep(model, rest, position, velocity, axes, band, right)
+        advance(model, stroke, frame, position, velocity, work)
         nodes[frame] = position
         body_frame(nodes[frame], origin[frame], rotation[frame])
 
@@ -58,17 +47,6 @@ def record(model: BodyModel, stroke: Stroke, frames: int) -> Recording:
     made = Recording(
         np.zeros((frames, *position.shape)), np.zeros((frames, 3)), np.zeros((frames, 3, 3))
     )
-    _run(
-        model,
-        stroke,
-        model.length.copy(),
-        position,
-        np.zeros_like(position),
-        np.zeros((SEGMENTS, 3)),
-        np.zeros(BAND_SIZE),
-        np.zeros(UNKNOWNS),
-        made.nodes,
-        made.origin,
-        made.rotation,
-    )
+    work = workspace(model)
+    _run(model, stroke, position, work, made.nodes, made.origin, made.rotation)
     return made
