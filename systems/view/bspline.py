@@ -1,6 +1,7 @@
 """Clamped uniform B-spline bases, tabulated once (papers/000, 7.2).
 
-"Order 3" of the paper is the degree: bodies are bicubic. A basis is a matrix from control points to points of the curve.
+"Order 3" of the paper is the degree: bodies are bicubic. A basis is a matrix from control points to points of the
+curve.
 """
 
 import numpy as np

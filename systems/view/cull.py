@@ -1,11 +1,11 @@
 """Which fishes are seen, how finely, and the records by which the GPU draws them (papers/000, 7.1, 7.3; FINDINGS 8).
 
-One point stands for a fish; the frustum is enlarged by the fish's length. What the water hides is left out. The level of
-detail follows the length on the picture in pixels. For the view only: nothing here feeds back into the simulation.
+One point stands for a fish; the frustum is enlarged by the fish's length. What the water hides is left out. The level
+of detail follows the length on the picture in pixels. For the view only: nothing here feeds back into the simulation.
 """
 
 from dataclasses import dataclass, field
-from math import pi, sin, sqrt
+from math import floor, pi, sin, sqrt
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -14,6 +14,7 @@ from components.arrays import Float32s, Float64s, Int32s, Int64s
 from components.camera import Camera
 from components.fish import Population
 from components.kernels import row
+from components.rotation import between
 
 CLOSE_PIXELS: Final = 113.0
 """[px] from which a fish is drawn as a B-spline surface."""
@@ -27,6 +28,8 @@ RECORD: Final = 20
 """Numbers in an instance record: origin, length; quaternion; shapes last and now, blend, warp's weight; warp's shapes,
 species, fin phase; tint, shine."""
 LEVELS: Final = 3
+CARD: Final = 2
+"""The coarsest level: its fishes are too small to show how they turn within a tick."""
 
 
 class View(NamedTuple):
@@ -40,6 +43,10 @@ class View(NamedTuple):
     "tangent of half the horizontal field of view"
     slope_y: float
     "tangent of half the vertical field of view"
+    edge_x: float
+    "1 / cosine of half the horizontal field of view"
+    edge_y: float
+    "1 / cosine of half the vertical field of view"
     pixels: float
     "[px] of a unit length at unit distance"
     reach: float
@@ -73,6 +80,8 @@ def view_of(camera: Camera, height: float, aspect: float, visibility: float) -> 
         axes,
         slope * aspect,
         slope,
+        sqrt(1.0 + (slope * aspect) ** 2),
+        sqrt(1.0 + slope**2),
         height / (2.0 * slope),
         HIDDEN * visibility,
     )
@@ -87,10 +96,10 @@ def level_at(view: View, x: float, y: float, z: float, length: float) -> int:
         return -1
     depth = max(ahead, 0.0)
     aside = abs(dx * view.axes[0, 0] + dy * view.axes[0, 1] + dz * view.axes[0, 2])
-    if aside > depth * view.slope_x + length * sqrt(1.0 + view.slope_x * view.slope_x):
+    if aside > depth * view.slope_x + length * view.edge_x:
         return -1
     above = abs(dx * view.axes[1, 0] + dy * view.axes[1, 1] + dz * view.axes[1, 2])
-    if above > depth * view.slope_y + length * sqrt(1.0 + view.slope_y * view.slope_y):
+    if above > depth * view.slope_y + length * view.edge_y:
         return -1
     distance = sqrt(dx * dx + dy * dy + dz * dz)
     if distance > view.reach + length:
@@ -100,11 +109,11 @@ def level_at(view: View, x: float, y: float, z: float, length: float) -> int:
         return -1
     if seen >= CLOSE_PIXELS:
         return 0
-    return 1 if seen >= FAR_PIXELS else 2
+    return 1 if seen >= FAR_PIXELS else CARD
 
 
 @row
-def quaternion(r: Float64s, out: Float64s) -> None:
+def quaternion(r: Float64s, out: Float32s) -> None:
     """Write the unit quaternion (x, y, z, w) of the rotation `r`, (3, 3), to `out`."""
     trace = r[0, 0] + r[1, 1] + r[2, 2]
     if trace > 0.0:
@@ -125,39 +134,30 @@ def quaternion(r: Float64s, out: Float64s) -> None:
 
 
 @row
-def between(a: Float64s, b: Float64s, alpha: float, out: Float32s) -> None:
-    """Write the normalised blend of two quaternions to `out`, the short way round."""
-    dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
-    share = -alpha if dot < 0.0 else alpha
-    size = 0.0
-    for c in range(4):
-        a[c] = (1.0 - alpha) * a[c] + share * b[c]
-        size += a[c] * a[c]
-    size = sqrt(size)
-    for c in range(4):
-        out[c] = a[c] / size
-
-
-@row
-def write_record(
-    fish: Drawn, i: int, alpha: float, seconds: float, shine: Float64s, turns: Float64s, out: Float32s
-) -> None:
-    """Write the record of the fish in row i, its motion blended between two ticks, but for its place."""
-    out[3] = fish.length[i]
-    quaternion(fish.last_rotation[i], turns[0])
-    quaternion(fish.rotation[i], turns[1])
-    between(turns[0], turns[1], alpha, out[4:8])
+def write_shape(fish: Drawn, i: int, alpha: float, out: Float32s) -> None:
+    """Write which shapes the fish in row i shows, and its species."""
     last, now = fish.last_warp_weight[i], fish.warp_weight[i]
     out[8], out[9], out[10] = fish.last_shape_row[i], fish.shape_row[i], alpha
     out[11] = last + (now - last) * alpha
     out[12], out[13], out[14] = fish.warp_from[i], fish.warp_to[i], fish.species[i]
-    chance = (fish.id[i] * 0.6180339887498949) % 1.0
-    other = (fish.id[i] * 0.7548776662466927) % 1.0
-    rate = 1.1 + 0.6 * sqrt(0.2 / (0.05 + fish.length[i]))
-    out[15] = 2.0 * pi * ((seconds * rate + chance) % 10.0) + 0.5 * sin(seconds + 9.0 * other)
+
+
+@row
+def write_manner(
+    identity: int, length: float, shine: float, seconds: float, fins: bool, out: Float32s
+) -> None:
+    """Write a fish's own tint, and where its paired fins are in their stroke if they are drawn."""
+    chance = identity * 0.6180339887498949
+    other = identity * 0.7548776662466927
+    chance -= floor(chance)
+    other -= floor(other)
+    out[15] = 0.0
+    if fins:
+        rate = 1.1 + 0.6 * sqrt(0.2 / (0.05 + length))
+        out[15] = 2.0 * pi * ((seconds * rate + chance) % 10.0) + 0.5 * sin(seconds + 9.0 * other)
     bright = 0.93 + 0.14 * chance
     out[16], out[17] = bright * (0.985 + 0.03 * other), bright
-    out[18], out[19] = bright * (1.015 - 0.03 * other), shine[fish.species[i]]
+    out[18], out[19] = bright * (1.015 - 0.03 * other), shine
 
 
 @row
@@ -168,7 +168,7 @@ def select(
     alpha: float,
     seconds: float,
     shine: Float64s,
-    turns: Float64s,
+    axes: Float64s,
     records: Float32s,
     distances: Float32s,
     counts: Int64s,
@@ -176,19 +176,29 @@ def select(
     """Write the records of the fishes that are seen, level by level, and their distances; see `Culling`."""
     counts[:] = 0
     for i in range(count):
-        x = fish.last_position[i, 0] + (fish.position[i, 0] - fish.last_position[i, 0]) * alpha
-        y = fish.last_position[i, 1] + (fish.position[i, 1] - fish.last_position[i, 1]) * alpha
-        z = fish.last_position[i, 2] + (fish.position[i, 2] - fish.last_position[i, 2]) * alpha
-        level = level_at(view, x, y, z, fish.length[i])
+        now = fish.position[i]
+        level = level_at(view, now[0], now[1], now[2], fish.length[i])
         if level < 0:
             continue
         slot = counts[level]
         counts[level] = slot + 1
         out = records[level, slot]
-        out[0], out[1], out[2] = x, y, z
-        dx, dy, dz = x - view.eye[0], y - view.eye[1], z - view.eye[2]
-        distances[level, slot] = dx * dx + dy * dy + dz * dz
-        write_record(fish, i, alpha, seconds, shine, turns, out)
+        distance = 0.0
+        for c in range(3):
+            last = fish.last_position[i, c]
+            place = last + (now[c] - last) * alpha
+            out[c] = place
+            distance += (place - view.eye[c]) * (place - view.eye[c])
+        distances[level, slot] = distance
+        out[3] = fish.length[i]
+        if level < CARD:
+            between(fish.last_rotation[i], fish.rotation[i], alpha, axes)
+            quaternion(axes, out[4:8])
+        else:
+            quaternion(fish.rotation[i], out[4:8])
+        write_shape(fish, i, alpha, out)
+        gloss = shine[fish.species[i]]
+        write_manner(fish.id[i], fish.length[i], gloss, seconds, level < CARD, out)
 
 
 def drawn(population: Population) -> Drawn:
@@ -208,7 +218,7 @@ class Culling:
     "fishes seen at each level, (3,)"
 
     def __post_init__(self) -> None:
-        self._turns = np.zeros((2, 4))
+        self._axes = np.zeros((3, 3))
         self._room(64)
 
     def __call__(self, population: Population, view: View, alpha: float, seconds: float) -> None:
@@ -222,7 +232,7 @@ class Culling:
             alpha,
             seconds,
             self.shine,
-            self._turns,
+            self._axes,
             self._records,
             self._distances,
             self.counts,
@@ -232,7 +242,7 @@ class Culling:
         """Return the records of a level, (n, 20); those with blended fins from the farthest to the nearest."""
         count = int(self.counts[level])
         seen = self._records[level, :count]
-        if level == LEVELS - 1 or count < 2:
+        if level == CARD or count < 2:
             return seen
         sorted_records: Float32s = seen[np.argsort(-self._distances[level, :count])]
         return sorted_records

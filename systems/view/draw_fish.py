@@ -79,10 +79,12 @@ class DrawFish:
         target_height: float,
         visibility: float,
         aspect: float | None = None,
+        fins: bool = True,
     ) -> None:
         """Draw what `camera` sees into the bound framebuffer, `alpha` of the way from the last tick to now.
 
-        `seconds` moves the paired fins; `visibility` [m] is the water's. Without `aspect` the viewport's is taken.
+        `seconds` moves the paired fins; `visibility` [m] is the water's. Without `aspect` the viewport's is taken. Fins
+        let through what was drawn before them: where the water follows, leave `fins` out and call `draw_fins` after it.
         """
         from pyglet import gl
 
@@ -100,6 +102,19 @@ class DrawFish:
             self._draw_pass(level, level, fins=False)
         gl.glDisable(gl.GL_CULL_FACE)
         self._draw_pass(2, 2, fins=False)
+        self._finish()
+        if fins:
+            self.draw_fins()
+
+    def draw_fins(self) -> None:
+        """Draw the blended fins of the fishes that `draw` drew last, from the farthest to the nearest."""
+        from pyglet import gl
+
+        if not self.cull.counts[:2].any():
+            return
+        self._bind()
+        gl.glEnable(gl.GL_DEPTH_TEST)
+        gl.glDisable(gl.GL_CULL_FACE)
         gl.glEnable(gl.GL_BLEND)
         gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
         gl.glDepthMask(gl.GL_FALSE)
@@ -107,6 +122,12 @@ class DrawFish:
             self._draw_pass(level, 3, fins=True)
         gl.glDepthMask(gl.GL_TRUE)
         gl.glDisable(gl.GL_BLEND)
+        self._finish()
+
+    @staticmethod
+    def _finish() -> None:
+        from pyglet import gl
+
         gl.glBindVertexArray(0)
         gl.glUseProgram(0)
 

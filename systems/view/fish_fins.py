@@ -41,7 +41,7 @@ class Detail:
 
 CLOSE: Final = Detail((8, 13), 23, (5, 4))
 FAR: Final = Detail((4, 7), 12, (3, 2))
-CARD: Final = Detail((2, 5), 5, (0, 0))
+CARD: Final = Detail((2, 3), 4, (0, 0))
 
 
 def fins_of(lattice: Lattice, detail: Detail) -> list[Patch]:
@@ -115,11 +115,11 @@ def paired(
     at, height, length, droop = blade
     outline = lattice.outline
     around = np.arccos(np.clip(height, -1.0, 1.0)) / np.pi
-    root = outline.section(np.array(at), np.array(around)) * (1.0, 1.0, 0.93)
+    root = outline.section(np.array(at), np.array(around)) * (1.0, 1.0, 0.98)
     r, q = np.linspace(0.04, 1, counts[0])[:, None], np.linspace(-1, 1, counts[1])[None, :]
     back = np.array([-np.cos(droop), -np.sin(droop), 0.0])
     hinge = np.array([-back[1], back[0], 0.0]) * -1.0
-    half = length * (0.13 + 0.25 * r**0.8)
+    half = length * (0.07 + 0.31 * r**0.8)
     swept = r * (1.0 - 0.16 * q) * length
     base = root + (half * q)[..., None] * hinge
     flat = np.broadcast_to(root, (base.size // 3, 3)) * (1.0, 1.0, side)

@@ -1,8 +1,8 @@
 """How points around a fish follow its nodes: every point a fixed linear combination (papers/000, eq. 13; FINDINGS 8).
 
 Control rows lie on the rings and between them. A row's centre, up and right are linear in the nodes of the two rings
-beside it, so a cubic B-spline over four consecutive rows follows at most three rings: 12 consecutive nodes. The nose has
-no section of its own and borrows the first ring's; behind the last ring the caudal fin's tips take over.
+beside it, so a cubic B-spline over four consecutive rows follows at most three rings: 12 consecutive nodes. The nose
+has no section of its own and borrows the first ring's; behind the last ring the caudal fin's tips take over.
 """
 
 from dataclasses import dataclass
@@ -103,7 +103,9 @@ def _anchors(body: Body) -> tuple[Float64s, Float64s, Float64s]:
         centre[ring + 1, first : first + 4] = 0.25
         half = 4.0 * NODE_HEIGHT * body.half_height[ring]
         up[ring + 1, first : first + 4] = np.array([1, 1, -1, -1]) / half
-        right[ring + 1, first : first + 4] = np.array([-1, 1, 1, -1]) / (4.0 * body.half_width[ring])
+        right[ring + 1, first : first + 4] = np.array([-1, 1, 1, -1]) / (
+            4.0 * body.half_width[ring]
+        )
     centre[0, 0], up[0], right[0] = 1.0, up[1], right[1]
     centre[6, 21:23], right[6] = 0.5, right[5]
     up[6, 21:23] = np.array([0.5, -0.5]) / body.tail_span

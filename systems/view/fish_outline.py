@@ -1,7 +1,7 @@
 """The outline of a fish between its stations, in body lengths (FINDINGS 1b, 8).
 
-`reach` is the distance x from the nose backwards. The body ends inside the root of the caudal fin. The snout is rounded:
-the outline grows like a power of x below 1 there.
+x is the distance from the nose backwards. The body ends inside the root of the caudal fin. The snout is rounded: the
+outline grows there like a power of x below 1.
 """
 
 from dataclasses import dataclass
@@ -87,7 +87,9 @@ def _monotone(at: Float64s, x: Float64s, y: Float64s) -> Float64s:
     left, right = rise[:-1], rise[1:]
     same = left * right > 0
     weight_l, weight_r = 2 * gap[1:] + gap[:-1], gap[1:] + 2 * gap[:-1]
-    total = np.where(same, weight_l / np.where(same, left, 1) + weight_r / np.where(same, right, 1), 1)
+    total = np.where(
+        same, weight_l / np.where(same, left, 1) + weight_r / np.where(same, right, 1), 1
+    )
     slopes[1:-1] = np.where(same, (weight_l + weight_r) / total, 0.0)
     i = np.clip(np.searchsorted(x, at, side="right") - 1, 0, len(gap) - 1)
     t = (at - x[i]) / gap[i]

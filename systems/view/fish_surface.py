@@ -21,6 +21,8 @@ AROUND: Final = 9
 """Control points around a side, from back to belly (papers/000, 7.2)."""
 WINDOW: Final = 12
 """Consecutive nodes that a vertex may follow."""
+COUNT_STEP: Final = 32
+"""A vertex' first texel holds its first node plus this times the count of its nodes."""
 BODY, MEMBRANE, PECTORAL, PELVIC = range(4)
 """Kinds of vertices: what the shader does with a vertex' second and third row of weights."""
 BODY_BOX: Final = (0.004, 0.004, 0.996, 0.484)
@@ -52,7 +54,7 @@ class Level:
     """One level of detail: all its vertices, the body's triangles and the fins'."""
 
     table: Float32s
-    "texels (weight, d/du, d/dv, extra); extra is first node, texture x, y, kind, 0 ..., (n, 12, 4)"
+    "texels (weight, d/du, d/dv, extra); extra is first node and count, texture x, y, kind, 0 ..., (n, 12, 4)"
     body: NDArray[np.uint32]
     "(t, 3)"
     fins: NDArray[np.uint32]
@@ -99,7 +101,7 @@ def body_side(lattice: Lattice, along: Float64s, around: Float64s, side: int) ->
         _unit(along_v, rest),
         into_box(texture, BODY_BOX),
         BODY,
-        grid(len(along), len(around), flip=side < 0),
+        grid(len(along), len(around), flip=side > 0),
     )
 
 
@@ -129,7 +131,7 @@ def pack(patches: list[Patch]) -> Float32s:
     table = np.zeros((len(weight), WINDOW, 4), np.float32)
     window = first[:, None] + np.arange(WINDOW)
     table[:, :, :3] = np.take_along_axis(rows, window[:, :, None], axis=1)
-    table[:, 0, 3] = first
+    table[:, 0, 3] = first + COUNT_STEP * (beyond + 1)
     table[:, 1:3, 3] = np.concatenate([p.texture for p in patches])
     table[:, 3, 3] = np.concatenate([np.full(len(p.weight), p.kind) for p in patches])
     return table
@@ -163,7 +165,7 @@ def levels_of(body: Body) -> tuple[Level, Level, Level]:
     spans = ROWS - 3
     close = both_sides(lattice, np.linspace(0, 1, 2 * spans + 1), np.linspace(0, 1, 13))
     far = both_sides(lattice, greville(ROWS), greville(AROUND))
-    few = greville(ROWS)[[0, 3, 5, 8, 11, 14, 17, 20]]
+    few = greville(ROWS)[[0, 3, 5, 9, 14, 20]]
     card = both_sides(lattice, few, np.array([0.0, 0.5, 1.0]))
     return (
         level_of([*close, *fins_of(lattice, CLOSE)]),

@@ -116,7 +116,9 @@ def _canvas(outline: Outline) -> Canvas:
     h = np.cos(np.pi * around)
     half = outline.half_height(s * outline.end) / outline.end
     side = outline.middle(s * outline.end) / outline.end + h * half
-    fine = smooth_noise(SIZE, _HALF, (48, 24), 7) * 0.4 + smooth_noise(SIZE, _HALF, (14, 7), 8) * 0.6
+    fine = (
+        smooth_noise(SIZE, _HALF, (48, 24), 7) * 0.4 + smooth_noise(SIZE, _HALF, (14, 7), 8) * 0.6
+    )
     shape = (_HALF, SIZE)
     return Canvas(
         np.broadcast_to(s, shape),
@@ -231,7 +233,7 @@ def _scales(canvas: Canvas, layer: Scales, skin: Skin) -> None:
         rim = np.maximum(rim, inside)
     fade = np.clip((canvas.s - skin.gill_at + 0.06 * canvas.h**2 - 0.005) / 0.03, 0.0, 1.0)
     fade = fade * np.clip(1.3 - np.abs(canvas.h) ** 6, 0.0, 1.0)
-    canvas.shade(1.0 + layer.strength * fade * (0.9 * (best - 0.45) + 0.5 * (rim - 1.0)))
+    canvas.shade(1.0 + layer.strength * fade * (0.8 * (best - 0.45) + 0.35 * (rim - 1.0)))
     canvas.relief += 0.5 * layer.strength * fade * (best - 0.5)
 
 
@@ -274,7 +276,7 @@ def _mouth(canvas: Canvas, outline: Outline) -> None:
     lips = np.exp(-((above / 0.010) ** 2)) * along
     canvas.shade(1.0 + 0.12 * lips)
     canvas.shade(1.0 - 0.75 * line)
-    canvas.relief += 0.25 * lips - 0.4 * line
+    canvas.relief += 0.12 * lips - 0.15 * line
 
 
 def _eye(canvas: Canvas, eye: Eye, outline: Outline) -> None:
@@ -291,12 +293,14 @@ def _eye(canvas: Canvas, eye: Eye, outline: Outline) -> None:
     canvas.lay((0.012, 0.014, 0.02), _inside(away - eye.pupil, 0.12))
     glint = np.hypot(ahead + 0.26, height - 0.3) / 0.19
     canvas.lay((0.97, 0.99, 1.0), 0.95 * _inside(glint - 1.0, 0.6))
-    canvas.relief = np.where(away < 1.15, 0.5 + 0.45 * np.clip(1.15 - away, 0.0, 1.0), canvas.relief)
+    canvas.relief = np.where(
+        away < 1.15, 0.5 + 0.45 * np.clip(1.15 - away, 0.0, 1.0), canvas.relief
+    )
 
 
 def _fins(picture: Float64s, skin: Skin, canvas: Canvas) -> None:
-    flesh = canvas.colour[90:150, -14:].mean(axis=(0, 1))
-    back, belly = canvas.colour[4, 200:420].mean(axis=0), canvas.colour[-14, 200:420].mean(axis=0)
+    flesh = np.median(canvas.colour[90:150, -14:], axis=(0, 1))
+    back, belly = (np.median(canvas.colour[y, 200:420], axis=0) for y in (6, -16))
     picture[_HALF:, :, :3] = skin.fin
     _caudal(picture, skin, flesh)
     _median(picture, skin, DORSAL_BOX, back, flip=False)

@@ -22,6 +22,13 @@ vec3 bumped(vec3 upright, float height) {
 }
 #endif
 
+// Light on fish: the sun wraps round a little, and sand throws some back from below.
+vec3 light_on(vec3 upright, vec3 towards) {
+    vec3 light = sunlight(world, normalize(upright + .3 * towards));
+    float left = exp(-.035 * max(-world.z, 0.)) * sun.w;
+    return (1.16 * light + vec3(.30, .29, .24) * left * (.55 - .45 * upright.z)) * (.72 + .34 * abs(dot(upright, towards)));
+}
+
 void main() {
     vec4 skin = texture(skins, vec3(skin_at, skin_layer));
     vec3 towards = normalize(eye.xyz - world);
@@ -30,7 +37,7 @@ void main() {
 #ifdef FINS
     if (skin.a < .02) discard;
     upright *= sign(dot(upright, towards) + 1e-6);
-    vec3 light = sunlight(world, normalize(upright + .3 * towards));
+    vec3 light = light_on(upright, towards);
     light += (1. - .6 * skin.a) * SUN_COLOUR * sun.w * max(dot(-upright, sun.xyz), 0.) * exp(-.02 * max(-world.z, 0.));
     float sheen = pow(max(dot(reflect(-towards, upright), sun.xyz), 0.), 12.);
     vec3 lit = albedo * light * 1.05 + tint.w * .25 * sheen;
@@ -44,17 +51,18 @@ void main() {
 #ifdef CLOSE
     upright = bumped(upright, skin.a * .016 * size);
 #endif
-    vec3 light = sunlight(world, normalize(upright + .3 * towards));
+    vec3 light = light_on(upright, towards);
     float facing = max(dot(upright, towards), 0.);
     vec3 mirrored = reflect(-towards, upright);
     float rim = pow(1. - facing, 4.);
-    float glint = max(dot(mirrored, sun.xyz), 0.);
-    float sky = smoothstep(-.25, .9, mirrored.z);
-    vec3 around = mix(vec3(.02, .10, .16), vec3(.62, .86, .92), sky) * (light.g * .55 + .25);
+    float glint = max(dot(mirrored, sun.xyz), 0.) * smoothstep(-.1, .3, dot(upright, sun.xyz));
+    float sky = smoothstep(-.35, .75, mirrored.z);
+    vec3 around = mix(vec3(.02, .09, .14), vec3(.86, 1.06, 1.10), sky) * (light.g * .5 + .3);
     float shine = tint.w;
-    vec3 lit = albedo * light * (1. - .45 * shine);
-    lit += around * mix(vec3(.06), .25 + albedo, shine) * (shine * .55 + rim * (.18 + .45 * shine));
-    lit += SUN_COLOUR * sun.w * (pow(glint, 26.) * (.08 + .5 * shine) + pow(glint, 140.) * (.25 + 1.6 * shine)) * min(light.g, 1.5) * .6;
+    vec3 film = .5 + .5 * cos(vec3(0., 1.6, 3.4) + 7. * facing + 5. * skin_at.y);   // thin layers of guanine
+    vec3 lit = albedo * light * (1. - .5 * shine);
+    lit += around * mix(vec3(.05), (.2 + albedo) * mix(vec3(1.), .7 + .6 * film, .5), shine) * (shine * .75 + rim * (.2 + .5 * shine));
+    lit += SUN_COLOUR * sun.w * min(light.g, 1.6) * (pow(glint, 22.) * (.07 + .45 * shine) + pow(glint, 120.) * (.3 + 1.8 * shine));
     colour = vec4(graded(through_water(lit, world)), 1.);
 #endif
 }

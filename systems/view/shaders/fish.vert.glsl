@@ -30,12 +30,12 @@ void main() {
     ivec2 at = ivec2(12 * (index % VERTICES_A_ROW), index / VERTICES_A_ROW);
     ivec2 last = shape_at(shown.x), now = shape_at(shown.y), from = shape_at(warp.x), to = shape_at(warp.y);
     vec3 sum = vec3(0.), along_u = vec3(0.), along_v = vec3(0.);
-    float extra[4];
-    int first = int(texelFetch(weights, at, 0).a + .5);
-    for (int j = 0; j < 12; j++) {
-        vec4 weight = texelFetch(weights, at + ivec2(j, 0), 0);
-        if (j < 4) extra[j] = weight.a;
-        if (weight.xyz == vec3(0.)) continue;
+    int window = int(texelFetch(weights, at, 0).a + .5);
+    int first = window % 32, count = window / 32;
+    skin_at = vec2(texelFetch(weights, at + ivec2(1, 0), 0).a, texelFetch(weights, at + ivec2(2, 0), 0).a);
+    float kind = texelFetch(weights, at + ivec2(3, 0), 0).a;
+    for (int j = 0; j < count; j++) {
+        vec3 weight = texelFetch(weights, at + ivec2(j, 0), 0).xyz;
         ivec2 step = ivec2(first + j, 0);
         vec3 node = mix(texelFetch(shapes, last + step, 0).xyz, texelFetch(shapes, now + step, 0).xyz, shown.z);
         if (shown.w > 0.)
@@ -45,14 +45,13 @@ void main() {
         along_v += weight.z * node;
     }
     vec3 upright = cross(along_u, along_v);
-    if (extra[3] > 1.5) {   // a blade on its hinge; pelvic fins stay closer and move less
-        float angle = extra[3] < 2.5 ? .62 + .42 * sin(warp.w) : .30 + .12 * sin(.7 * warp.w + 1.);
+    if (kind > 1.5) {   // a blade on its hinge; pelvic fins stay closer and move less
+        float angle = kind < 2.5 ? .62 + .42 * sin(warp.w) : .30 + .12 * sin(.7 * warp.w + 1.);
         sum += cos(angle) * along_u + sin(angle) * along_v;
         upright = cos(angle) * along_v - sin(angle) * along_u;
     }
     world = place.xyz + place.w * turned(sum);
     normal = turned(upright);
-    skin_at = vec2(extra[1], extra[2]);
     skin_layer = warp.z;
     tint = shade;
     size = place.w;
