@@ -54,7 +54,8 @@ def lumps(rng: np.random.Generator, sphere: Float64s) -> Float64s:
             axis = rng.standard_normal(3)
             axis *= frequency / np.linalg.norm(axis)
             # A folded sine has creases, as weathered stone does.
-            total += weight * (np.abs(np.sin(sphere @ axis + rng.uniform(0, np.pi))) - 0.64)
+            wave = np.sin(sphere @ axis + rng.uniform(0, np.pi))
+            total += weight * (np.sqrt(wave**2 + 0.02) - 0.66)
     return np.asarray(LUMPS * np.tanh(-total))
 
 

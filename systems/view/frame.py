@@ -83,7 +83,8 @@ def frame_values(camera: Camera, width: int, height: int, seconds: float, look: 
 class FrameBlock:
     """The uniform buffer of the block `Frame`, and the water's maps that go with it.
 
-    `smooth` maps cost software GL a fifth of a frame. `update` leaves both bound: uniform buffer binding 3 and the texture units of `SAMPLER_UNITS`.
+    `smooth` maps cost software GL a fifth of a frame. `update` leaves both bound: uniform buffer
+    binding 3 and the texture units of `SAMPLER_UNITS`.
     """
 
     def __init__(self, smooth: bool = True) -> None:

@@ -4,5 +4,5 @@ out vec4 colour;
 void main() {
     vec2 at = gl_PointCoord * 2. - 1.;
     float soft = clamp(1. - dot(at, at), 0., 1.);
-    colour = vec4(vec3(.42, .60, .62) * bright * soft * soft, 0.);
+    colour = vec4(vec3(.55, .80, .82) * bright * soft * soft, 0.);
 }

@@ -12,7 +12,7 @@ void main() {
     vec3 world = eye.xyz + around;
     float far = length(around);
     gl_Position = view_projection * vec4(world, 1.);
-    float size = (.0035 + .009 * seed.w * seed.w * seed.w) * target.y / (2. * up.w * max(far, .4));
+    float size = (.004 + .016 * pow(seed.w, 5.)) * target.y / (2. * up.w * max(far, .4));
     gl_PointSize = clamp(size, 1., target.y * .016);
     bright = min(size * size, 1.) * (1. - smoothstep(.25 * BOX, .5 * BOX, far)) * smoothstep(.25, .9, far);
     bright *= step(world.z, -.1) * exp(-.03 * max(-world.z, 0.));

@@ -39,7 +39,7 @@ void main() {
 
     vec3 stone = mix(vec3(.24, .26, .22), vec3(.70, .69, .58), pale);
     vec3 algae = mix(vec3(.13, .24, .10), vec3(.54, .63, .36), pale);
-    vec3 crust = mix(vec3(.36, .17, .26), vec3(.80, .55, .62), pale);
+    vec3 crust = mix(vec3(.46, .17, .25), vec3(.98, .58, .66), pale);
     float up_side = .5 + .5 * smooth_normal.z;
     float growth = .5 * coarse.mottle + .25 * fine.mottle + .28 * up_side;
     vec3 skin = mix(stone, algae, .85 * smoothstep(.44, .62, growth));

@@ -13,7 +13,7 @@ vec3 surface(vec3 direction, float far) {
     vec4 small = texture(surface_map, at.yx * .105 - time * vec2(.013, .009));
     vec2 slope = ((large.rg - .5) + (small.gr - .5) * .9) * water.z;
     float swell = .58 * large.a + .24 * small.b + .18 * small.a;
-    float open = direction.z * 1.15 + (swell - .5) * 1.7 + .35 * dot(slope, normalize(direction.xy + .001));
+    float open = .05 + 1.15 * direction.z / (1. + .8 * direction.z) + (swell - .5) * 1.7 + .35 * dot(slope, normalize(direction.xy + .001));
     float window = smoothstep(.40, .74, open) * (.62 + .5 * small.a);
     float rim = 1. - smoothstep(0., .035 + .0012 * far, abs(open - .43));
     float vein = 1. - smoothstep(0., .03 + .001 * far, abs(small.a - .5 + .4 * (large.b - .5)));
@@ -22,9 +22,9 @@ vec3 surface(vec3 direction, float far) {
     vec3 out_of = normalize(vec3(direction.xy * 1.333 + slope * .8, max(direction.z, .3)));
     float glare = max(dot(out_of, air), 0.);
     glare *= glare * glare * glare;
-    float cloud = smoothstep(.30, .85, swell + .45 * (small.b - .5) + .25 * (direction.z - .5));
-    vec3 sky = mix(vec3(.26, .50, .55), vec3(.78, .84, .84), cloud);
-    sky += sun.w * vec3(1., .95, .85) * (.5 * glare + 9. * pow(glare, 48.));
+    float cloud = smoothstep(.30, .85, swell + .55 * (small.b - .5) + .10 * (direction.z - .5));
+    vec3 sky = mix(vec3(.15, .38, .45), vec3(.74, .82, .82), cloud);
+    sky += sun.w * vec3(1., .95, .85) * (.75 * glare + 10. * pow(glare, 40.));
     vec3 mirrored = veil(vec3(direction.xy, -.3 * direction.z)) * (1.1 + 1.3 * slope.x + .9 * slope.y);
     return mix(mirrored, sky, min(window, .95)) + vec3(.25, .42, .45) * (.42 * rim + .22 * vein) * (1. - .6 * window);
 }
