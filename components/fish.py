@@ -52,7 +52,7 @@ class Population:
     motor: MotorTable = field(default_factory=MotorTable)
 
     def __post_init__(self) -> None:
-        self._row_of: dict[int, int] = {}
+        self._row_of = np.full(16, -1, np.int64)
         self.reindex()
 
     @property
@@ -66,15 +66,14 @@ class Population:
         self.mind.append(len(ids))
         self.motor.append(len(ids))
         self.fish.id[rows] = ids
-        self._row_of.update(zip(ids.tolist(), range(rows.start, rows.stop), strict=True))
+        self._point(ids, np.arange(rows.start, rows.stop))
         return rows
 
     def remove(self, identity: int) -> None:
         """Forget the fish `identity`; the last row takes its place. Raise KeyError where there is none."""
-        row = self._row_of.pop(identity)
-        last = self.fish.count - 1
-        if row != last:
-            self._row_of[int(self.fish.id[last])] = row
+        row, last = self.row(identity), self.fish.count - 1
+        self._row_of[self.fish.id[last]] = row
+        self._row_of[identity] = -1
         for table in (self.fish, self.mind, self.motor):
             table.remove(row)
 
@@ -86,12 +85,23 @@ class Population:
 
     def reindex(self) -> None:
         """Rebuild the map from id to row after rows were moved or restored."""
-        ids = self.fish.id[: self.fish.count].tolist()
-        self._row_of = dict(zip(ids, range(len(ids)), strict=True))
+        self._row_of.fill(-1)
+        self._point(self.fish.id[: self.fish.count], np.arange(self.fish.count))
 
     def row(self, identity: int) -> int:
         """Return the row of the fish `identity`. Raise KeyError where there is none."""
-        return self._row_of[identity]
+        if identity not in self:
+            raise KeyError(identity)
+        return int(self._row_of[identity])
 
     def __contains__(self, identity: int) -> bool:
-        return identity in self._row_of
+        return 0 <= identity < len(self._row_of) and bool(self._row_of[identity] >= 0)
+
+    def _point(self, ids: Int64s, rows: Int64s) -> None:
+        """Let the ids lead to the rows."""
+        largest = int(ids.max(initial=-1))
+        if largest >= len(self._row_of):
+            more = np.full(2 * (largest + 1), -1, np.int64)
+            more[: len(self._row_of)] = self._row_of
+            self._row_of = more
+        self._row_of[ids] = rows

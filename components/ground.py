@@ -14,7 +14,7 @@ import numpy as np
 
 from components.arrays import Float64s, Int32s
 from components.kernels import row
-from components.rocks import SQUARE, Rock, list_rocks, pack_rocks
+from components.rocks import ROCK_REACH, SQUARE, Rock, list_rocks, pack_rocks
 
 
 class Terrain(NamedTuple):
@@ -155,25 +155,40 @@ def rock_square(terrain: Terrain, x: float, y: float) -> int:
 
 
 @row
-def clearance(terrain: Terrain, x: float, y: float, z: float) -> tuple[float, float, float, float]:
-    """Return the distance [m] to the nearest of ground, surface, cylinder and rocks, and the unit
-    way out of it.
+def _beyond(terrain: Terrain, rock: int, x: float, y: float, z: float, within: float) -> bool:
+    """Return whether a rock is surely farther than `within` [m], by the sphere around it."""
+    dx, dy = x - terrain.rock_centre[rock, 0], y - terrain.rock_centre[rock, 1]
+    dz = z - terrain.rock_centre[rock, 2]
+    a, b, c = terrain.rock_radii[rock, 0], terrain.rock_radii[rock, 1], terrain.rock_radii[rock, 2]
+    room = max(a, max(b, c)) + within
+    return bool(dx * dx + dy * dy + dz * dz > room * room)
 
-    Negative inside; rocks farther than `ROCK_REACH` may be missed.
+
+@row
+def clearance(
+    terrain: Terrain, x: float, y: float, z: float, within: float = ROCK_REACH
+) -> tuple[float, float, float, float]:
+    """Return the distance [m] to the nearest of ground, surface, rim and rocks, and the way out.
+
+    The way is a unit vector; the distance is negative inside. Rocks farther than `within` [m], at
+    most `ROCK_REACH`, may be missed.
     """
     h, dx, dy = ground(terrain.height, terrain.extent, terrain.cell, x, y)
     nz = 1.0 / sqrt(dx * dx + dy * dy + 1.0)
     best, bx, by, bz = (z - h) * nz, -dx * nz, -dy * nz, nz
     if -z < best:
         best, bx, by, bz = -z, 0.0, 0.0, -1.0
-    out = sqrt(x * x + y * y)
-    if terrain.radius - out < best:
-        best, bx, by, bz = terrain.radius - out, -x / (out + 1e-12), -y / (out + 1e-12), 0.0
+    far = terrain.radius - within
+    if x * x + y * y > far * far or far < 0.0:
+        out = sqrt(x * x + y * y)
+        if terrain.radius - out < best:
+            best, bx, by, bz = terrain.radius - out, -x / (out + 1e-12), -y / (out + 1e-12), 0.0
     square = rock_square(terrain, x, y)
     for k in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
-        d, nx, ny, nz = rock_clearance(terrain, terrain.rock_list[k], x, y, z)
-        if d < best:
-            best, bx, by, bz = d, nx, ny, nz
+        if not _beyond(terrain, terrain.rock_list[k], x, y, z, within):
+            d, nx, ny, nz = rock_clearance(terrain, terrain.rock_list[k], x, y, z)
+            if d < best:
+                best, bx, by, bz = d, nx, ny, nz
     return best, bx, by, bz
 
 

@@ -1,0 +1,45 @@
+"""Avoiding fishes: leave the line on which the two would meet (papers/004); the submarine is one too."""
+
+from math import sqrt
+from typing import Final
+
+from components.arrays import Float64s
+from components.kernels import row
+from systems.mind.grid import Crowd
+from systems.mind.perceive import HORIZON
+
+_SWERVE: Final = 1.2
+
+
+@row
+def avoid_fish(crowd: Crowd, me: int, other: int, when: float, out: Float64s) -> tuple[int, float]:
+    """Write the wanted direction, (3,); return gear and urgency. They meet in `when` seconds.
+
+    A fish swerves from where the other will be; a dead heat is settled by the ids.
+    """
+    side = 1.0 if crowd.id[me] < crowd.id[other] else -1.0
+    s, t = crowd.speed[other] * when, crowd.speed[me] * when
+    x = crowd.x[me] - crowd.x[other] + t * crowd.hx[me] - s * crowd.hx[other]
+    y = crowd.y[me] - crowd.y[other] + t * crowd.hy[me] - s * crowd.hy[other]
+    z = crowd.z[me] - crowd.z[other] + t * crowd.hz[me] - s * crowd.hz[other]
+    z += 0.1 * side * crowd.length[me]
+    swerve = _SWERVE / (sqrt(x * x + y * y + z * z) + 1e-9)
+    out[0] = crowd.hx[me] + swerve * x
+    out[1] = crowd.hy[me] + swerve * y
+    out[2] = crowd.hz[me] + swerve * z
+    soon = 1.0 - when / HORIZON
+    return (2 if soon > 0.6 else 1), 0.3 + 0.6 * soon
+
+
+@row
+def avoid_submarine(
+    crowd: Crowd, me: int, away: Float64s, when: float, out: Float64s
+) -> tuple[int, float]:
+    """Write the wanted direction away from the submarine at the offset `away` [m], (3,)."""
+    far = sqrt(away[0] * away[0] + away[1] * away[1] + away[2] * away[2]) + 1e-9
+    soon = 1.0 - when / HORIZON
+    push = (0.8 + soon) / far
+    out[0] = 0.7 * crowd.hx[me] + push * away[0]
+    out[1] = 0.7 * crowd.hy[me] + push * away[1]
+    out[2] = 0.7 * crowd.hz[me] + 0.5 * push * away[2]
+    return (2 if soon > 0.4 else 1), 0.3 + 0.5 * soon

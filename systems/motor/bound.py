@@ -1,0 +1,119 @@
+"""Bound: the sense of territory (papers/000, 6.2).
+
+At each tick every fish is tested against ground, rocks, surface and the world's cylinder, where it is and where it
+will be; within a distance it is steered inward, whatever its mind wants. `confine`, which move calls, is the hard
+guarantee; this is what makes it seldom needed.
+"""
+
+from math import sqrt
+from typing import Final, NamedTuple
+
+import numba
+
+from components.arrays import Float64s, Int32s
+from components.fish import Population
+from components.ground import Terrain, clearance
+from components.kernels import loop, row
+from components.senses import SenseTable
+from components.vector import point
+
+PIECES: Final = 64
+SERIAL_BELOW: Final = 500
+
+_ROOM: Final = 0.75
+_INWARD: Final = 0.9
+_AHEAD_SECONDS: Final = 0.4
+_SAFELY: Final = 1.4
+
+
+class Swimmers(NamedTuple):
+    """The columns that bounding reads and writes, row for row."""
+
+    species: Int32s
+    length: Float64s
+    position: Float64s
+    last_position: Float64s
+    rotation: Float64s
+    heading: Float64s
+    urgency: Float64s
+
+
+@row
+def turn_inward(
+    terrain: Terrain, x: float, y: float, z: float, room: float, heading: Float64s
+) -> float:
+    """Turn the unit `heading`, (3,), inward where (x, y, z) is within `room` [m] of a boundary.
+
+    Return how near it is: 0 at `room` or beyond, 1 at contact.
+    """
+    d, nx, ny, nz = clearance(terrain, x, y, z, room)
+    if d >= room:
+        return 0.0
+    near = min(1.0 - d / room, 1.0)
+    lack = _INWARD * near - (heading[0] * nx + heading[1] * ny + heading[2] * nz)
+    if lack > 0.0:
+        point(heading, heading[0] + lack * nx, heading[1] + lack * ny, heading[2] + lack * nz)
+    return near
+
+
+@row
+def bound_some(terrain: Terrain, girth: Float64s, begin: int, end: int, swimmers: Swimmers) -> None:
+    """Bound the fishes of rows begin..end."""
+    for i in range(begin, end):
+        length = swimmers.length[i]
+        x, y, z = swimmers.position[i, 0], swimmers.position[i, 1], swimmers.position[i, 2]
+        dx, dy, dz = (
+            x - swimmers.last_position[i, 0],
+            y - swimmers.last_position[i, 1],
+            z - swimmers.last_position[i, 2],
+        )
+        ahead = 0.5 * length + 60.0 * _AHEAD_SECONDS * sqrt(dx * dx + dy * dy + dz * dz)
+        room = (_ROOM + girth[swimmers.species[i]]) * length
+        heading = swimmers.heading[i]
+        wide = room + _SAFELY * 0.5 * ahead
+        middle = clearance(
+            terrain,
+            x + 0.5 * ahead * swimmers.rotation[i, 0, 0],
+            y + 0.5 * ahead * swimmers.rotation[i, 1, 0],
+            z + 0.5 * ahead * swimmers.rotation[i, 2, 0],
+            wide,
+        )[0]
+        if middle > wide:
+            continue
+        there = turn_inward(
+            terrain,
+            x + ahead * swimmers.rotation[i, 0, 0],
+            y + ahead * swimmers.rotation[i, 1, 0],
+            z + ahead * swimmers.rotation[i, 2, 0],
+            room,
+            heading,
+        )
+        here = turn_inward(terrain, x, y, z, room, heading)
+        swimmers.urgency[i] = max(swimmers.urgency[i], here, there)
+
+
+@loop
+def bound_all(terrain: Terrain, girth: Float64s, number: int, swimmers: Swimmers) -> None:
+    """Bound all fishes, on all threads."""
+    for piece in numba.prange(PIECES):
+        begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
+        bound_some(terrain, girth, begin, end, swimmers)
+
+
+class Bound:
+    """Reads fishes, senses and terrain; overrides the motors' heading and raises their urgency."""
+
+    def __init__(self, population: Population, senses: SenseTable, terrain: Terrain) -> None:
+        self.population, self.senses, self.terrain = population, senses, terrain
+
+    def __call__(self) -> None:
+        """Turn inward whoever is near a boundary."""
+        fish, motor, number = self.population.fish, self.population.motor, self.population.count
+        swimmers = Swimmers(
+            fish.species, fish.length, fish.position, fish.last_position, fish.rotation,
+            motor.heading, motor.urgency,
+        )  # fmt: skip
+        if number < SERIAL_BELOW:
+            bound_some(self.terrain, self.senses.girth, 0, number, swimmers)
+        else:
+            bound_all(self.terrain, self.senses.girth, number, swimmers)
