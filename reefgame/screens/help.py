@@ -1,0 +1,45 @@
+"""All controls on one card, over the dive that waits."""
+
+from typing import Final
+
+from reefgame.screens import theme
+from reefgame.screens.game import Game
+from reefgame.screens.menu import Item
+from reefgame.screens.overlay import OverlayScreen
+
+CONTROLS: Final = (
+    ("W  S  \u00b7  wheel", "throttle ahead, astern"),
+    ("A  D  \u00b7  mouse", "turn"),
+    ("arrows  \u00b7  mouse", "turn, nose up and down"),
+    ("Space  R  \u00b7  C  F  Ctrl", "rise  \u00b7  dive"),
+    ("X", "full stop"),
+    ("Enter  P  \u00b7  left click", "photograph"),
+    ("Esc  \u00b7  F11  \u00b7  F12", "pause  \u00b7  full screen  \u00b7  picture"),
+    ("gamepad", "sticks, triggers, A photograph, B stop"),
+)
+
+
+class HelpScreen(OverlayScreen):
+    """What every key does."""
+
+    name = "help"
+    headline = "Controls"
+    body_height = 28.0 * len(CONTROLS) + 12.0
+
+    def __init__(self, game: Game) -> None:
+        super().__init__(game, [Item("Back to the dive", self.back)])
+
+    def layout_body(self, left: float, top: float, width: float) -> None:
+        """List the controls."""
+        u = self.canvas.unit
+        for at, (keys, deed) in enumerate(CONTROLS):
+            y = top - (28 * at + 14) * u
+            self.canvas.text(keys, left, y, theme.SMALL, theme.SUNLIT, order=1)
+            self.canvas.text(deed, left + 0.46 * width, y, theme.SMALL, theme.FOAM, order=1)
+
+    def pressed(self, name: str) -> None:
+        """Go back, also by the key that opened it."""
+        if name == "h":
+            self.back()
+        else:
+            super().pressed(name)

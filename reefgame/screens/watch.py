@@ -1,0 +1,71 @@
+"""A recorded dive, watched: the pilot's window and instruments, and orders that come from the file."""
+
+from dataclasses import replace
+
+from components.command import Command
+from reefgame.replay import Replay
+from reefgame.screens import theme
+from reefgame.screens.game import Game
+from reefgame.screens.hud import Hud, plural
+from reefgame.screens.menu import BACK
+from reefgame.screens.screen import Screen
+from reefgame.screens.viewfinder import Viewfinder, slope_for
+from systems.play.judge import viewfinder
+
+
+class WatchScreen(Screen):
+    """Plays a replay to its end; Space holds it, Escape leaves."""
+
+    name = "watch"
+
+    def __init__(self, game: Game, replay: Replay) -> None:
+        super().__init__(game)
+        self._replay = replay
+        self._commands = replay.play()
+        self._tick = 0
+        self._held = False
+
+    def layout(self) -> None:
+        """Set up what the pilot saw, and a bar for how far the replay is."""
+        c, world = self.canvas, self.game.stage.world
+        wanted, name = 0, ""
+        if world.goals:
+            goal = world.goals[0]
+            wanted, name = goal.count, plural(world.species[goal.species].title, goal.count)
+        self._finder = Viewfinder(c, wanted, name)
+        self._hud = Hud(c, world)
+        c.panel(0, 0, c.width, 5 * c.unit, theme.DEEP, order=4)
+        self._bar = c.panel(0, 0, 0, 5 * c.unit, theme.LAGOON, order=5)
+        c.text(
+            "Space  hold    Esc  leave", c.width - 22 * c.unit, 22 * c.unit, theme.TINY,
+            theme.HAZE, "right baseline", shadow=True,
+        )  # fmt: skip
+
+    def update(self, seconds: float) -> None:
+        """Take the ticks that are due, until the replay ends."""
+        if not self._held and self._tick < self._replay.ticks:
+            self.game.stage.advance(seconds, self._next)
+        objective, world = self.game.stage.world.objective, self.game.stage.world
+        if world.goals:
+            self._finder.show(int(objective.framed[0]), bool(objective.done[0]))
+        over = self._tick >= self._replay.ticks
+        self._hud.show("The replay is over" if over else "", "", 99.0)
+        part = self._tick / max(self._replay.ticks, 1)
+        self._bar.place(0, 0, round(self.canvas.width * part), 5 * self.canvas.unit)
+
+    def _next(self) -> Command:
+        self._tick += 1
+        return next(self._commands, Command())
+
+    def draw_sea(self, width: int, height: int) -> None:
+        """Draw what the pilot saw."""
+        stage = self.game.stage
+        camera = viewfinder(stage.world.submarine, stage.alpha)
+        stage.draw(replace(camera, slope=slope_for(width, height)), width, height)
+
+    def pressed(self, name: str) -> None:
+        """Hold, go on or leave."""
+        if name == "space":
+            self._held = not self._held
+        elif name in BACK:
+            self.game.quit()
