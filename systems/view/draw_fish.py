@@ -62,7 +62,8 @@ class DrawFish:
         self.cull = Culling(np.array([s.skin.shine for s in species]))
         self._textures = (c_uint * 3)()
         gl.glGenTextures(3, self._textures)
-        side = min(widest.value, 4096)
+        self.widest = widest.value
+        side = min(self.widest, 4096)
         levels = [levels_of(s.body) for s in species]
         self._upload_shapes(library, side)
         self._upload_weights(levels, side)
@@ -88,11 +89,10 @@ class DrawFish:
         """
         from pyglet import gl
 
-        shape = _viewport_aspect() if aspect is None else aspect
-        self.cull(population, view_of(camera, target_height, shape, visibility), alpha, seconds)
+        self.select(population, camera, alpha, seconds, target_height, visibility, aspect)
         if not self.cull.counts.any():
             return
-        self._bind()
+        self.bind_textures()
         for level, mesh in enumerate(self._meshes):
             mesh.upload(self.cull.records(level))
         gl.glEnable(gl.GL_DEPTH_TEST)
@@ -106,13 +106,27 @@ class DrawFish:
         if fins:
             self.draw_fins()
 
+    def select(
+        self,
+        population: Population,
+        camera: Camera,
+        alpha: float,
+        seconds: float,
+        target_height: float,
+        visibility: float,
+        aspect: float | None = None,
+    ) -> None:
+        """Choose what `camera` sees, at which level of detail, and write the records: `draw` without drawing."""
+        shape = _viewport_aspect() if aspect is None else aspect
+        self.cull(population, view_of(camera, target_height, shape, visibility), alpha, seconds)
+
     def draw_fins(self) -> None:
         """Draw the blended fins of the fishes that `draw` drew last, from the farthest to the nearest."""
         from pyglet import gl
 
         if not self.cull.counts[:2].any():
             return
-        self._bind()
+        self.bind_textures()
         gl.glEnable(gl.GL_DEPTH_TEST)
         gl.glDisable(gl.GL_CULL_FACE)
         gl.glEnable(gl.GL_BLEND)
@@ -148,7 +162,8 @@ class DrawFish:
             gl.glUseProgram(self._programs[program].id)
             self._meshes[level].draw(fins)
 
-    def _bind(self) -> None:
+    def bind_textures(self) -> None:
+        """Bind shapes, weights and skins to their units, 0 to 2."""
         from pyglet import gl
 
         targets = (gl.GL_TEXTURE_2D, gl.GL_TEXTURE_2D, gl.GL_TEXTURE_2D_ARRAY)
@@ -167,7 +182,7 @@ class DrawFish:
             "shapes": SHAPES_UNIT,
             "weights": WEIGHTS_UNIT,
             "skins": SKINS_UNIT,
-            "vertices": self._vertices,
+            "vertices": self.vertices,
         }
         for name, value in values.items():
             gl.glUniform1i(uniform_location(program, name), value)
@@ -182,7 +197,7 @@ class DrawFish:
 
     def _upload_weights(self, levels: Sequence[tuple[Level, ...]], side: int) -> None:
         tables = [level.table for species in levels for level in species]
-        self._vertices = sum(len(level.table) for level in levels[0])
+        self.vertices = sum(len(level.table) for level in levels[0])
         self._upload_table(WEIGHTS_UNIT, wrapped(np.concatenate(tables), side))
 
     def _upload_table(self, unit: int, texels: Float32s) -> None:

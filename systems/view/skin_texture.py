@@ -63,6 +63,7 @@ def paint_skin(skin: Skin, body: Body) -> Texels:
         _paint(canvas, layer, skin, outline)
     if scaled:
         _lateral_line(canvas, skin)
+    _tail_root(canvas, skin)
     _gill_cover(canvas, skin)
     _mouth(canvas, outline)
     _eye(canvas, skin.eye, outline)
@@ -245,8 +246,14 @@ def _lateral_line(canvas: Canvas, skin: Skin) -> None:
     canvas.shade(1.0 - 0.22 * line)
 
 
+def _tail_root(canvas: Canvas, skin: Skin) -> None:
+    """Let the body's end run into the caudal fin's colour with an uneven border of scales."""
+    border = 0.962 - 0.02 * np.cos(5.0 * canvas.h) + 0.012 * canvas.noise
+    canvas.lay(skin.tail, 0.92 * _inside(border - canvas.s, 0.05))
+
+
 def _head(canvas: Canvas, skin: Skin, outline: Outline) -> None:
-    """Darken nothing yet; give the head a smooth swelling cheek in the relief."""
+    """Give the head a smooth swelling cheek in the relief."""
     cheek = _distance(canvas, outline, 0.7 * skin.gill_at, -0.2) / (0.45 * skin.gill_at)
     canvas.relief += 0.06 * np.exp(-(cheek**2))
 

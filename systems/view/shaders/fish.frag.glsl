@@ -26,7 +26,7 @@ vec3 bumped(vec3 upright, float height) {
 vec3 light_on(vec3 upright, vec3 towards) {
     vec3 light = sunlight(world, normalize(upright + .3 * towards));
     float left = exp(-.035 * max(-world.z, 0.)) * sun.w;
-    return (1.16 * light + vec3(.30, .29, .24) * left * (.55 - .45 * upright.z)) * (.72 + .34 * abs(dot(upright, towards)));
+    return (1.34 * light + vec3(.40, .39, .33) * left * (.55 - .45 * upright.z)) * (.72 + .34 * abs(dot(upright, towards)));
 }
 
 void main() {
@@ -61,8 +61,8 @@ void main() {
     float shine = tint.w;
     vec3 film = .5 + .5 * cos(vec3(0., 1.6, 3.4) + 7. * facing + 5. * skin_at.y);   // thin layers of guanine
     vec3 lit = albedo * light * (1. - .5 * shine);
-    lit += around * mix(vec3(.05), (.2 + albedo) * mix(vec3(1.), .7 + .6 * film, .5), shine) * (shine * .75 + rim * (.2 + .5 * shine));
-    lit += SUN_COLOUR * sun.w * min(light.g, 1.6) * (pow(glint, 22.) * (.07 + .45 * shine) + pow(glint, 120.) * (.3 + 1.8 * shine));
+    lit += around * mix(vec3(.05), (.05 + 1.3 * albedo) * mix(vec3(1.), .7 + .6 * film, .5), shine) * (shine * .75 + rim * (.2 + .5 * shine));
+    lit += SUN_COLOUR * sun.w * min(light.g, 1.6) * (pow(glint, 22.) * (.07 + .45 * shine) + pow(glint, 120.) * (.22 + 1.3 * shine));
     colour = vec4(graded(through_water(lit, world)), 1.);
 #endif
 }
