@@ -1,0 +1,360 @@
+"""Move: every fish plays its segment, balances its roll and warps from one segment to the next
+(papers/000 sections 5.1 and 5.2, appendices A and B; FINDINGS 1 corrects their equations).
+
+A change of segment keeps playing the new one and adds an offset of shape and of velocity that fades
+by a smoothstep: nobody stalls, and no node jumps. It serves fishes seen and unseen alike, so what
+the camera does changes nothing.
+"""
+
+from math import floor, sqrt
+from typing import Final, NamedTuple
+
+import numba
+import numpy as np
+
+from components.arrays import Float32s, Float64s, Int8s, Int32s
+from components.body import NODES
+from components.clock import TICK_SECONDS, Clock
+from components.confinement import confine
+from components.fish import FishTable, Population
+from components.ground import Terrain
+from components.kernels import inlined, loop, row
+from components.motor import MotorTable
+from components.repertoire import Pattern, RepertoireLibrary
+from components.rotation import set_axes, turned
+
+PARALLEL_FROM: Final = 500
+"""Fishes from which two threads are worth their launch."""
+
+CHUNKS: Final = 64
+
+WARP_STEP: Final = 0.04
+"""[BL] that the fading offset may move a node in a tick (FINDINGS 1; appendix A's M_max)."""
+
+SHORTEST_WARP: Final = 4
+"""[ticks]"""
+
+SMOOTHSTEP_SLOPE: Final = 1.5
+
+ROLL_MEMORY: Final = TICK_SECONDS / 0.4
+"""Share of today's roll in the running mean: about a beat, so that the false roll of a beat, 6
+degrees either way, averages out."""
+
+RIGHTING: Final = 1.5 * TICK_SECONDS
+"""Share of the mean roll taken out in a tick."""
+
+FASTEST_RIGHTING: Final = 1.5 * TICK_SECONDS
+"""[rad] a tick."""
+
+MARGIN: Final = 0.5
+"""How far a fish's origin keeps from ground, rocks, surface and rim, over its length."""
+
+
+class Bodies(NamedTuple):
+    """The columns of `FishTable` that move reads and writes."""
+
+    species: Int32s
+    length: Float64s
+    position: Float64s
+    rotation: Float64s
+    last_position: Float64s
+    last_rotation: Float64s
+
+
+class Motors(NamedTuple):
+    """The columns of `MotorTable` that move reads and writes."""
+
+    steer: Float64s
+    segment: Int32s
+    wanted: Int32s
+    frame: Int32s
+    held: Int32s
+    shape_row: Int32s
+    last_shape_row: Int32s
+    warp_from: Int32s
+    warp_to: Int32s
+    warp_length: Int32s
+    warp_age: Int32s
+    warp_weight: Float64s
+    last_warp_weight: Float64s
+    mean_roll: Float64s
+    glide: Float64s
+
+
+class Track(NamedTuple):
+    """The library as move reads it. E entries, S segments."""
+
+    rotation: Float64s
+    "M, (E, 3, 3)"
+    translation: Float64s
+    "t [BL], (E, 3)"
+    shape: Float32s
+    "d [BL] by planes x, y, z, padded with noughts: kernels run along them, (E, 3, 24)"
+    start: Int32s
+    "(S,)"
+    length: Int32s
+    "(S,)"
+    loops: Int8s
+    "(S,)"
+    pattern: Int8s
+    "(S,)"
+    segment: Int32s
+    "(species, 5)"
+    match: Int32s
+    "the frame of each pattern's segment whose shape is nearest to an entry's, 0 in turns, (E, 5)"
+
+
+def bodies(fish: FishTable) -> Bodies:
+    """Return the columns of `fish` that kernels move; stale when the table grows."""
+    return Bodies(*(getattr(fish, name) for name in Bodies._fields))
+
+
+def motors(motor: MotorTable) -> Motors:
+    """Return the columns of `motor` that kernels move; stale when the table grows."""
+    return Motors(*(getattr(motor, name) for name in Motors._fields))
+
+
+def planes(shape: Float32s) -> Float32s:
+    """Return shapes (E, 23, 3) as planes (E, 3, 24), which vector units can read."""
+    padded = np.zeros((len(shape), 3, NODES + 1), np.float32)
+    padded[:, :, :NODES] = shape.transpose(0, 2, 1)
+    return padded
+
+
+def track(library: RepertoireLibrary) -> Track:
+    """Return the library as kernels read it, with the places to enter its segments."""
+    shape = planes(library.shape)
+    match = np.zeros((len(shape), len(Pattern)), np.int32)
+    _fill_match(shape, library.start, library.length, library.loops, library.segment, match)
+    return Track(
+        np.ascontiguousarray(library.rotation),
+        np.ascontiguousarray(library.translation),
+        shape,
+        library.start,
+        library.length,
+        library.loops,
+        library.pattern,
+        library.segment,
+        match,
+    )
+
+
+@row
+def _apart(a: Float32s, b: Float32s, sum_all: bool) -> float:
+    """Return the sum over nodes of the squared distance [BL^2] of two shapes, or its maximum."""
+    total = most = 0.0
+    for n in range(NODES):
+        x = np.float64(a[0, n]) - np.float64(b[0, n])
+        y = np.float64(a[1, n]) - np.float64(b[1, n])
+        z = np.float64(a[2, n]) - np.float64(b[2, n])
+        square = x * x + y * y + z * z
+        total += square
+        most = max(most, square)
+    return total if sum_all else most
+
+
+@row
+def _nearest(shape: Float32s, entry: int, first: int, length: int) -> int:
+    """Return the frame, of `length` from entry `first`, whose shape is nearest to `entry`'s."""
+    best, least = 0, np.inf
+    for frame in range(length):
+        apart = _apart(shape[entry], shape[first + frame], True)
+        if apart < least:
+            best, least = frame, apart
+    return best
+
+
+@row
+def _fill_match(
+    shape: Float32s,
+    start: Int32s,
+    length: Int32s,
+    loops: Int8s,
+    segment: Int32s,
+    match: Int32s,
+) -> None:
+    for species in range(segment.shape[0]):
+        for pattern in range(segment.shape[1]):
+            into = segment[species, pattern]
+            if into < 0 or loops[into] == 0:
+                continue
+            for other in range(segment.shape[1]):
+                leaving = segment[species, other]
+                if leaving >= 0:
+                    for entry in range(start[leaving], start[leaving] + length[leaving]):
+                        match[entry, pattern] = _nearest(shape, entry, start[into], length[into])
+
+
+@row
+def _switch(i: int, motor: Motors, track: Track, wanted: int) -> None:
+    """Leave the segment being played for `wanted`: set up the warp that leads there."""
+    old = motor.shape_row[i]
+    frame = track.match[old, track.pattern[wanted]]
+    to = track.start[wanted] + frame
+    gap = sqrt(_apart(track.shape[old], track.shape[to], False))
+    motor.warp_from[i] = old
+    motor.warp_to[i] = to
+    motor.warp_length[i] = max(SHORTEST_WARP, floor(gap * (SMOOTHSTEP_SLOPE / WARP_STEP)) + 1)
+    motor.warp_age[i] = 0
+    for k in range(3):
+        motor.glide[i, k] = track.translation[old, k] - track.translation[to, k]
+    motor.segment[i] = wanted
+    motor.frame[i] = (frame + track.loops[wanted]) % track.length[wanted]
+    motor.held[i] = 0
+
+
+@inlined
+def _choose(i: int, fish: Bodies, motor: Motors, track: Track) -> None:
+    """Change segment where control asks for it or a turn has ended, unless a warp is under way."""
+    segment, wanted = motor.segment[i], motor.wanted[i]
+    ended = motor.frame[i] >= track.length[segment]
+    if ended and wanted == segment:
+        wanted = track.segment[fish.species[i], Pattern.SWIM_MEDIUM.value]
+        motor.wanted[i] = wanted
+    if wanted >= 0 and wanted != segment and motor.warp_length[i] == 0:
+        _switch(i, motor, track, wanted)
+    elif ended:
+        motor.frame[i] = track.length[segment] - 1
+
+
+@inlined
+def _fade(i: int, motor: Motors) -> float:
+    """Return the weight of this tick's offset, 1 when the warp begins to 0 at its end."""
+    length = motor.warp_length[i]
+    if length == 0:
+        motor.warp_weight[i] = 0.0
+        return 0.0
+    age = motor.warp_age[i] + 1
+    motor.warp_age[i] = age
+    weight = 0.0
+    if age < length:
+        done = age / length
+        weight = 1.0 - done * done * (3.0 - 2.0 * done)
+    else:
+        motor.warp_length[i] = 0
+    motor.warp_weight[i] = weight
+    return weight
+
+
+@inlined
+def roll(ahead: float, above: float, aside: float) -> float:
+    """Return the roll [rad] from the upward parts of the body's x, y and z axes (appendix B).
+
+    Its sine is -aside / sqrt(1 - ahead^2); root and arc are taken to their second terms, within 1
+    degree for what balance meets. On its back a fish rolls to the nearer side as if from a quarter
+    turn.
+    """
+    sine = max(-1.0, min(1.0, -aside * (1.0 + 0.5 * ahead * ahead)))
+    if above < 0.0:
+        sine = 1.0 if aside <= 0.0 else -1.0
+    return sine * (1.0 + sine * sine * (1.0 / 6.0))
+
+
+@inlined
+def _righting(i: int, motor: Motors, angle: float) -> float:
+    """Take today's roll into the running mean; return the part of it [rad] to take out now."""
+    mean = float(motor.mean_roll[i])
+    mean += ROLL_MEMORY * (angle - mean)
+    correction = max(-FASTEST_RIGHTING, min(FASTEST_RIGHTING, RIGHTING * mean))
+    motor.mean_roll[i] = mean - correction
+    return correction
+
+
+@inlined
+def _play(i: int, t: Float64s, m: Float64s, weight: float, fish: Bodies, motor: Motors) -> None:
+    """Play an entry: o <- o + R (length (t + weight glide)), eq. 11, then R <- steer R M, eq. 10,
+    less the part of the mean roll that balance takes out now.
+
+    All loads stand before the stores: what was just stored would be waited for.
+    """
+    r, o = fish.rotation[i], fish.position[i]
+    r00, r01, r02 = r[0, 0], r[0, 1], r[0, 2]
+    r10, r11, r12 = r[1, 0], r[1, 1], r[1, 2]
+    r20, r21, r22 = r[2, 0], r[2, 1], r[2, 2]
+    x, y, z = o[0], o[1], o[2]
+    size = fish.length[i]
+    u = size * (t[0] + weight * motor.glide[i, 0])
+    v = size * (t[1] + weight * motor.glide[i, 1])
+    w = size * (t[2] + weight * motor.glide[i, 2])
+    m00, m10, m20, m01, m11, m21 = m[0, 0], m[1, 0], m[2, 0], m[0, 1], m[1, 1], m[2, 1]
+    p, q, s = motor.steer[i, 0], motor.steer[i, 1], motor.steer[i, 2]
+    last, was = fish.last_rotation[i], fish.last_position[i]
+    last[0, 0], last[0, 1], last[0, 2] = r00, r01, r02
+    last[1, 0], last[1, 1], last[1, 2] = r10, r11, r12
+    last[2, 0], last[2, 1], last[2, 2] = r20, r21, r22
+    was[0], was[1], was[2] = x, y, z
+    o[0] = x + (r00 * u + r01 * v + r02 * w)
+    o[1] = y + (r10 * u + r11 * v + r12 * w)
+    o[2] = z + (r20 * u + r21 * v + r22 * w)
+    ax = r00 * m00 + r01 * m10 + r02 * m20
+    ay = r10 * m00 + r11 * m10 + r12 * m20
+    az = r20 * m00 + r21 * m10 + r22 * m20
+    bx = r00 * m01 + r01 * m11 + r02 * m21
+    by = r10 * m01 + r11 * m11 + r12 * m21
+    bz = r20 * m01 + r21 * m11 + r22 * m21
+    cx, cy, cz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    c = _righting(i, motor, roll(az, bz, cz))
+    bx, by, bz = bx - c * cx, by - c * cy, bz - c * cz
+    ax, ay, az = turned(ax, ay, az, p, q, s)
+    bx, by, bz = turned(bx, by, bz, p, q, s)
+    set_axes(r, ax, ay, az, bx, by, bz)
+
+
+@row
+def advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -> None:
+    """Play one entry for the fishes of rows first to last - 1."""
+    for i in range(first, last):
+        motor.last_shape_row[i] = motor.shape_row[i]
+        motor.last_warp_weight[i] = motor.warp_weight[i]
+        motor.held[i] += 1
+        _choose(i, fish, motor, track)
+        segment = motor.segment[i]
+        frame = motor.frame[i]
+        entry = track.start[segment] + frame
+        weight = _fade(i, motor)
+        _play(i, track.translation[entry], track.rotation[entry], weight, fish, motor)
+        motor.shape_row[i] = entry
+        frame += 1
+        motor.frame[i] = 0 if frame == track.length[segment] and track.loops[segment] else frame
+
+
+@row
+def _hold_inside(first: int, last: int, fish: Bodies, terrain: Terrain) -> None:
+    for i in range(first, last):
+        confine(terrain, fish.position, i, MARGIN * fish.length[i])
+
+
+@row
+def move_serial(count: int, fish: Bodies, motor: Motors, track: Track, terrain: Terrain) -> None:
+    """Move `count` fishes on this thread."""
+    advance(0, count, fish, motor, track)
+    _hold_inside(0, count, fish, terrain)
+
+
+@loop
+def move_parallel(count: int, fish: Bodies, motor: Motors, track: Track, terrain: Terrain) -> None:
+    """Move `count` fishes on all threads; to the same bits as `move_serial`."""
+    for chunk in numba.prange(CHUNKS):
+        first, last = chunk * count // CHUNKS, (chunk + 1) * count // CHUNKS
+        advance(first, last, fish, motor, track)
+        _hold_inside(first, last, fish, terrain)
+
+
+class Move:
+    """Reads steer, wanted segment, species, length, library and terrain; writes the rest of the
+    motor table and the fishes' position and rotation, now and a tick ago."""
+
+    def __init__(
+        self, population: Population, library: RepertoireLibrary, terrain: Terrain, clock: Clock
+    ) -> None:
+        self.population = population
+        self.terrain = terrain
+        self.clock = clock
+        self.track = track(library)
+
+    def __call__(self) -> None:
+        """Move every fish by one tick."""
+        count = self.population.count
+        kernel = move_serial if count < PARALLEL_FROM else move_parallel
+        fish, motor = bodies(self.population.fish), motors(self.population.motor)
+        kernel(count, fish, motor, self.track, self.terrain)

@@ -1,0 +1,138 @@
+"""Pose: the 23 nodes of fishes, as the GPU rebuilds them from an instance record (papers/000, eq. 12).
+
+The reference of the view in tests, of the benches, and of the capture that a replay is held
+against. Between two ticks, at the fraction alpha: positions are interpolated, so are the x and y
+axes, then made a rotation again (components/rotation.py, `between`); the shape is
+
+    (1 - alpha) d[last_row] + alpha d[row] + w (d[warp_from] - d[warp_to]),
+    w = (1 - alpha) last_warp_weight + alpha warp_weight.
+"""
+
+import numpy as np
+
+from components.arrays import Float32s, Float64s, Int32s, Int64s
+from components.body import NODES
+from components.fish import Population
+from components.kernels import inlined, row
+from components.repertoire import RepertoireLibrary
+from components.rotation import between
+from systems.motor.move import Bodies, Motors, Track, bodies, motors, planes
+
+
+@inlined
+def place_nodes(d: Float32s, r: Float64s, o: Float64s, size: float, nodes: Float32s) -> None:
+    """nodes <- o + R (size d), eq. 12, in float32; d and nodes by planes, (3, 24)."""
+    a, b, c = np.float32(size * r[0, 0]), np.float32(size * r[0, 1]), np.float32(size * r[0, 2])
+    e, f, g = np.float32(size * r[1, 0]), np.float32(size * r[1, 1]), np.float32(size * r[1, 2])
+    p, q, s = np.float32(size * r[2, 0]), np.float32(size * r[2, 1]), np.float32(size * r[2, 2])
+    x, y, z = np.float32(o[0]), np.float32(o[1]), np.float32(o[2])
+    for n in range(NODES + 1):
+        u, v, w = d[0, n], d[1, n], d[2, n]
+        nodes[0, n] = x + (a * u + b * v + c * w)
+        nodes[1, n] = y + (e * u + f * v + g * w)
+        nodes[2, n] = z + (p * u + q * v + s * w)
+
+
+@inlined
+def mix_shapes(a: Float32s, b: Float32s, part: float, out: Float32s) -> None:
+    """out <- a + part (b - a), by planes, (3, 24)."""
+    weight = np.float32(part)
+    for k in range(3):
+        for n in range(NODES + 1):
+            out[k, n] = a[k, n] + weight * (b[k, n] - a[k, n])
+
+
+@inlined
+def offset_shape(out: Float32s, weight: float, leave: Float32s, enter: Float32s) -> None:
+    """out <- out + weight (leave - enter), the offset of a warp, by planes, (3, 24)."""
+    w = np.float32(weight)
+    for k in range(3):
+        for n in range(NODES + 1):
+            out[k, n] += w * (leave[k, n] - enter[k, n])
+
+
+@row
+def pose_rows(
+    rows: Int64s,
+    fish: Bodies,
+    motor: Motors,
+    shape: Float32s,
+    alpha: float,
+    body: bool,
+    o: Float64s,
+    r: Float64s,
+    nodes: Float32s,
+) -> None:
+    """Fill nodes (rows, 3, 24) as `pose` tells; o (3,) and r (3, 3) are scratch."""
+    for at in range(len(rows)):
+        i, out = rows[at], nodes[at]
+        mix_shapes(shape[motor.last_shape_row[i]], shape[motor.shape_row[i]], alpha, out)
+        weight = (1.0 - alpha) * motor.last_warp_weight[i] + alpha * motor.warp_weight[i]
+        offset_shape(out, weight, shape[motor.warp_from[i]], shape[motor.warp_to[i]])
+        if not body:
+            between(fish.last_rotation[i], fish.rotation[i], alpha, r)
+            for k in range(3):
+                a = fish.last_position[i, k]
+                o[k] = a + alpha * (fish.position[i, k] - a)
+            place_nodes(out, r, o, fish.length[i], out)
+
+
+@row
+def reconstruct(count: int, fish: Bodies, motor: Motors, shape: Float32s, nodes: Float32s) -> None:
+    """Fill nodes (count, 3, 24) [m], world axes, at the end of a tick: eq. 12 and the warps."""
+    for i in range(count):
+        out, r, o = nodes[i], fish.rotation[i], fish.position[i]
+        d = shape[motor.shape_row[i]]
+        weight = motor.warp_weight[i]
+        if weight != 0.0:
+            mix_shapes(d, d, 0.0, out)
+            offset_shape(out, weight, shape[motor.warp_from[i]], shape[motor.warp_to[i]])
+            place_nodes(out, r, o, fish.length[i], out)
+        else:
+            place_nodes(d, r, o, fish.length[i], out)
+
+
+@row
+def replay(
+    first: int,
+    length: int,
+    frame: Int32s,
+    size: Float64s,
+    track: Track,
+    rotation: Float64s,
+    position: Float64s,
+    nodes: Float32s,
+) -> None:
+    """Play the cycle of `length` entries from `first` for every fish by a tick: eqs. 10 to 12 and
+    nothing else, for the bench. Shapes: (n,), (n,), (n, 3, 3), (n, 3), (n, 3, 24)."""
+    for i in range(len(frame)):
+        entry = first + frame[i]
+        frame[i] = frame[i] + 1 if frame[i] + 1 < length else 0
+        t, m, r, o = track.translation[entry], track.rotation[entry], rotation[i], position[i]
+        a, u, v, w = size[i], size[i] * t[0], size[i] * t[1], size[i] * t[2]
+        for j in range(3):
+            x, y, z = r[j, 0], r[j, 1], r[j, 2]
+            o[j] += x * u + y * v + z * w
+            r[j, 0] = x * m[0, 0] + y * m[1, 0] + z * m[2, 0]
+            r[j, 1] = x * m[0, 1] + y * m[1, 1] + z * m[2, 1]
+            r[j, 2] = x * m[0, 2] + y * m[1, 2] + z * m[2, 2]
+        place_nodes(track.shape[entry], r, o, a, nodes[i])
+
+
+def pose(
+    population: Population,
+    library: RepertoireLibrary,
+    rows: Int64s | None = None,
+    alpha: float = 1.0,
+    body: bool = False,
+) -> Float32s:
+    """Return the nodes of `rows`, all by default, at the fraction `alpha` of the last tick.
+
+    [m] in world axes, or [BL] in body axes where `body` is set; (rows, 23, 3), float32.
+    """
+    chosen = np.arange(population.count) if rows is None else np.asarray(rows, np.int64)
+    nodes = np.empty((len(chosen), 3, NODES + 1), np.float32)
+    fish, motor = bodies(population.fish), motors(population.motor)
+    shape = planes(library.shape)
+    pose_rows(chosen, fish, motor, shape, alpha, body, np.empty(3), np.empty((3, 3)), nodes)
+    return np.ascontiguousarray(nodes[:, :, :NODES].transpose(0, 2, 1))

@@ -1,0 +1,112 @@
+"""A swimmer of known motion: what the motor system plays in tests that need no captured fish."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from components.arrays import Float64s
+from components.body import Body, rest_nodes
+from components.fish import Population
+from components.repertoire import Pattern, RepertoireLibrary, Segment
+
+BODY = Body(
+    station=(0.11, 0.28, 0.47, 0.66, 0.82),
+    half_width=(0.036, 0.050, 0.047, 0.032, 0.013),
+    half_height=(0.060, 0.088, 0.085, 0.058, 0.026),
+    tail_span=0.105,
+)
+FALSE_ROLL = 0.1
+"[rad] that the body axes roll either way in a beat (FINDINGS 1)"
+
+
+def _about(axis: int, angle: float) -> Float64s:
+    c, s = np.cos(angle), np.sin(angle)
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    m = np.eye(3)
+    m[i, i], m[j, j], m[i, j], m[j, i] = c, c, -s, s
+    return m
+
+
+def _segment(
+    pattern: Pattern, frames: int, speed: float, sweep: float, beats: float, turn: float
+) -> Segment:
+    """Record a travelling wave: `speed` BL/s, `beats` in `frames` frames, `turn` [rad] to the left."""
+    phase = 2 * np.pi * beats * np.arange(frames + 1) / frames
+    yaw = 0.05 * np.sin(phase) + turn * np.arange(frames + 1) / frames
+    frame = [
+        _about(1, a) @ _about(0, FALSE_ROLL * np.sin(p)) for a, p in zip(yaw, phase, strict=True)
+    ]
+    origin = np.zeros((frames + 1, 3))
+    for k in range(frames):
+        origin[k + 1] = origin[k] + _about(1, yaw[k])[:, 0] * (speed / 60)
+    origin[:, 2] += 0.01 * np.sin(phase)
+    rest = rest_nodes(BODY)
+    along = -rest[:, 0]
+    shape = np.repeat(rest[None], frames, axis=0)
+    for k in range(frames):
+        shape[k, :, 2] += 0.5 * sweep * along**2 * np.sin(phase[k + 1] - 2 * np.pi * along)
+    return Segment(
+        pattern,
+        turn == 0.0,
+        np.array([frame[k].T @ frame[k + 1] for k in range(frames)]),
+        np.array([frame[k].T @ (origin[k + 1] - origin[k]) for k in range(frames)]),
+        shape.astype(np.float32),
+    )
+
+
+def synthetic_segments() -> tuple[Segment, ...]:
+    """Return the five segments of the synthetic swimmer."""
+    return (
+        _segment(Pattern.SWIM_SLOW, 24, 0.9, 0.12, 1, 0.0),
+        _segment(Pattern.SWIM_MEDIUM, 15, 2.0, 0.18, 1, 0.0),
+        _segment(Pattern.SWIM_FAST, 10, 3.2, 0.2, 1, 0.0),
+        _segment(Pattern.TURN_LEFT, 45, 1.6, 0.25, 0.75, 0.9),
+        _segment(Pattern.TURN_RIGHT, 45, 1.6, 0.25, 0.75, -0.9),
+    )
+
+
+def library_of(segments: tuple[Segment, ...]) -> RepertoireLibrary:
+    """Return one species' library."""
+    length = np.array([len(s.translation) for s in segments], np.int32)
+    start = np.concatenate([[0], np.cumsum(length)[:-1]]).astype(np.int32)
+    return RepertoireLibrary(
+        rotation=np.concatenate([s.rotation for s in segments]),
+        translation=np.concatenate([s.translation for s in segments]),
+        shape=np.concatenate([s.shape for s in segments]),
+        start=start,
+        length=length,
+        loops=np.array([s.loops for s in segments], np.int8),
+        pattern=np.array([s.pattern for s in segments], np.int8),
+        segment=np.arange(5, dtype=np.int32)[None],
+        speed=np.array([60 * s.translation[:, 0].mean() for s in segments]),
+        turn=np.array([0.0, 0.0, 0.0, 0.9, -0.9]),
+    )
+
+
+@pytest.fixture(scope="session")
+def library() -> RepertoireLibrary:
+    """The synthetic swimmer's library."""
+    return library_of(synthetic_segments())
+
+
+def swimmers(count: int, library: RepertoireLibrary) -> Population:
+    """Return `count` upright fishes of 1 m that head along +x at z = -5 m, their phases apart."""
+    population = Population()
+    rows = population.append(np.arange(100, 100 + count))
+    fish, motor = population.fish, population.motor
+    medium = int(library.segment[0, Pattern.SWIM_MEDIUM])
+    fish.position[rows] = fish.last_position[rows] = (0.0, 0.0, -5.0)
+    fish.rotation[rows] = fish.last_rotation[rows] = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
+    motor.segment[rows] = motor.wanted[rows] = medium
+    motor.frame[rows] = np.arange(count) % library.length[medium]
+    shown = library.start[medium] + (motor.frame[rows] - 1) % library.length[medium]
+    motor.shape_row[rows] = motor.last_shape_row[rows] = shown
+    motor.heading[rows] = (1.0, 0.0, 0.0)
+    return population
+
+
+@pytest.fixture(scope="session")
+def school(library: RepertoireLibrary) -> Callable[[int], Population]:
+    """Make so many swimmers of the synthetic library."""
+    return lambda count: swimmers(count, library)
