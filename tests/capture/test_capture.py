@@ -185,6 +185,24 @@ def test_a_fish_that_does_not_move_its_head_has_no_beat(body: Body, swim: Swim) 
         beat_start(recording, 10)
 
 
+@pytest.mark.parametrize("shift", range(10))
+def test_a_crossing_at_a_frame_never_slips_between_two_beats(
+    body: Body, swim: Swim, shift: int
+) -> None:
+    period, frames = 10, 43
+    k = np.arange(frames)
+    aside = np.sin(2 * np.pi * (k - shift) / period) - 1e-9 * (k - 30)
+    rotation = np.tile(np.eye(3), (frames, 1, 1))
+    rotation[:, 1, 0] = aside
+    origin = np.stack((k, 0 * k, 0 * k), axis=1).astype(np.float64)
+    nodes = np.tile(body_model(body, swim).start, (frames, 1, 1))
+    start = beat_start(Recording(nodes, origin, rotation), period)
+    assert (start - shift) % period == pytest.approx(period, abs=1e-6) or (
+        (start - shift) % period == pytest.approx(0, abs=1e-6)
+    )
+    assert 0 <= round(start) < frames - period
+
+
 def test_faults_name_what_is_unlike_a_fish(shipped: Repertoire) -> None:
     segment = shipped.segments[Pattern.SWIM_MEDIUM]
     period = len(segment.rotation)

@@ -136,12 +136,13 @@ def _stroke(swim: Swim, amplitude: float, pace: float) -> Stroke:
 def _in_phase(model: BodyModel, stroke: Stroke) -> tuple[Stroke, int, Recording]:
     """Return the stroke shifted so that a frame falls where the yaw crosses the course, that frame, and the run."""
     period = stroke.period // SUBSTEPS
+    frames = SETTLE_FRAMES + 2 * period + 3
     for _ in range(_PHASE_RUNS):
-        recording = record(model, stroke, SETTLE_FRAMES + 2 * period + 1)
+        recording = record(model, stroke, frames)
         crossing = beat_start(recording, period)
         first = floor(crossing + 0.5)
         stroke = stroke._replace(offset=stroke.offset + (crossing - first) * TWO_PI / period)
-    recording = record(model, stroke, SETTLE_FRAMES + 2 * period + 1)
+    recording = record(model, stroke, frames)
     return stroke, floor(beat_start(recording, period) + 0.5), recording
 
 

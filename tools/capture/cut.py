@@ -80,14 +80,15 @@ def course(recording: Recording, first: int, period: int) -> tuple[float, float]
 def beat_start(recording: Recording, period: int) -> float:
     """Return the frame, with its fraction, at which the last whole beat's yaw rises through the course.
 
-    It lies in [F - 2 period - 1, F - period - 1), so that a beat's entries follow it. Raise ValueError where the yaw
-    never rises through the course: such a fish does not swim.
+    It lies in [F - 2 period - 3, F - period - 1], so that a beat's entries follow it; the search spans a frame more
+    than a beat on either side, lest a crossing at a frame slip between two beats. Raise ValueError where the yaw never
+    rises through the course: such a fish does not swim.
     """
-    start = len(recording.origin) - 2 * period - 1
+    start = len(recording.origin) - 2 * period - 3
     x, y = course(recording, start, period)
-    ahead = recording.rotation[start : start + period + 1, :, 0]
+    ahead = recording.rotation[start : start + period + 3, :, 0]
     aside = x * ahead[:, 1] - y * ahead[:, 0]
-    for k in range(period):
+    for k in range(period + 2):
         if aside[k] < 0.0 <= aside[k + 1]:
             return start + k + float(aside[k] / (aside[k] - aside[k + 1]))
     raise ValueError("the fish does not swim: its heading never crosses its course")
