@@ -12,6 +12,7 @@ from components.clock import TICKS_PER_SECOND
 from components.fish import Population
 from components.repertoire import pack
 from components.species import Species
+from components.terrain import clearance
 from reefgame.console import InputError, progress_bar
 from reefgame.content import load, load_species
 from reefgame.filming import cockpit
@@ -22,6 +23,11 @@ from systems.view.draw_fish import DrawFish
 from systems.view.draw_water import DrawWater
 from systems.view.frame import FrameBlock, Look
 from systems.view.target import Target, UInt8s, start_drawing, stop_drawing, write_png
+
+_VIEW_METRES = 3.0
+"""How far from the middle of a school its picture is taken."""
+_FREE_METRES = 0.5
+"""How much water a viewpoint needs around it."""
 
 
 def take_picture(
@@ -131,8 +137,28 @@ def _dived(options: argparse.Namespace) -> World:
     return world
 
 
+def viewpoint(world: World) -> Camera:
+    """Return a camera a little way from the largest group of fishes, on the submarine's side of it.
+
+    The submarine's own camera where there is no such free place.
+    """
+    ship, fish = cockpit(world), world.population.fish
+    if not fish.count:
+        return ship
+    species = fish.species[: fish.count]
+    group = fish.position[: fish.count][species == np.bincount(species).argmax()]
+    middle = np.median(group, axis=0)
+    towards = ship.eye - middle
+    far = max(float(np.sqrt(towards @ towards)), 1e-6)
+    eye = middle + towards * min(_VIEW_METRES / far, 1.0) - np.array([0.0, 0.0, 0.6])
+    eye[2] = min(eye[2], -1.0)
+    if clearance(world.terrain, eye[0], eye[1], eye[2])[0] < _FREE_METRES:
+        return ship
+    return camera_towards(eye, middle - np.array([0.0, 0.0, 0.4]))
+
+
 def _camera(world: World, options: argparse.Namespace) -> Camera:
     if options.at is None:
-        return cockpit(world)
+        return viewpoint(world)
     eye = cockpit(world).eye if options.eye is None else np.array(options.eye)
     return camera_towards(eye, np.array(options.at))

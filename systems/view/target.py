@@ -38,8 +38,17 @@ def largest_size() -> tuple[int, int]:
     return min(side.value, viewport[0]), min(side.value, viewport[1])
 
 
+def _most_samples() -> int:
+    from pyglet import gl
+
+    samples = c_int()
+    gl.glGetIntegerv(gl.GL_MAX_SAMPLES, byref(samples))
+    return samples.value
+
+
 class Target:
-    """An RGBA8 framebuffer with depth, of `samples` samples a pixel (0: none).
+    """An RGBA8 framebuffer with depth, of `samples` samples a pixel (0: none),
+    or as many as there can be.
 
     Raise TargetError for a size that is not from 1x1 to what this OpenGL allows.
     """
@@ -53,6 +62,7 @@ class Target:
         self.width, self.height = width, height
         self._buffers: list[c_uint] = []
         self._frames: list[c_uint] = []
+        samples = min(samples, _most_samples())
         self._drawn = self._frame(samples)
         self._resolved = self._frame(0) if samples else self._drawn
 

@@ -77,7 +77,7 @@ def test_the_sea_looks_as_it_did(
 def test_the_surface_is_above_and_the_sand_below(sea: Sea, level_camera: Camera) -> None:
     picture = sea.picture(level_camera)
     top, water, bottom = picture[:10], picture[22:28], picture[-10:]
-    assert brightness(top) > 1.2 * brightness(water)
+    assert brightness(top) > 1.1 * brightness(water)
     assert mean(bottom)[0] > 3.0 * mean(water)[0]
     assert mean(water)[2] > 3.0 * mean(water)[0]
 

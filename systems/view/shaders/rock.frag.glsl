@@ -37,14 +37,14 @@ void main() {
     float mottle = .55 * coarse.mottle + .45 * fine.mottle;
     float pale = smoothstep(.25, .75, mottle + .35 * fine.grain);
 
-    vec3 stone = mix(vec3(.24, .26, .22), vec3(.70, .69, .58), pale);
+    vec3 stone = mix(vec3(.25, .27, .20), vec3(.73, .72, .55), pale);
     vec3 algae = mix(vec3(.13, .24, .10), vec3(.54, .63, .36), pale);
     vec3 crust = mix(vec3(.46, .17, .25), vec3(.98, .58, .66), pale);
     float up_side = .5 + .5 * smooth_normal.z;
     float growth = .5 * coarse.mottle + .25 * fine.mottle + .28 * up_side;
     vec3 skin = mix(stone, algae, .85 * smoothstep(.44, .62, growth));
     float crusted = .75 * region + .45 * (fine.mottle - .5) + .30 * (coarse.grain) + .10 * (1. - up_side);
-    skin = mix(skin, crust, .9 * smoothstep(.43, .56, crusted));
+    skin = mix(skin, crust, .9 * smoothstep(.45, .59, crusted));
     skin *= 1. + .7 * coarse.grain + .6 * fine.grain;
 
     float clear = smoothstep(-.05, .6, over);
