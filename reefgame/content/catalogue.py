@@ -5,16 +5,22 @@ file inherits it.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
 from reefgame.content.errors import ContentError, Problem, did_you_mean, listed, quoted
-from reefgame.content.mods import BASE, DisabledMod, Mod, base, discover, names_listed, yaml_files
+from reefgame.content.mods import (
+    BASE,
+    Mod,
+    names_listed,
+    yaml_files,
+)
+from reefgame.content.nodes import Mapping, Mark, Node, Scalar, merged, without
 from reefgame.content.schema.level import Level, LevelFile
 from reefgame.content.schema.species import SpeciesFile
 from reefgame.content.schema.validate import node_at, validate
-from reefgame.content.yaml_marks import Mapping, Mark, Node, Scalar, merged, read, without
+from reefgame.content.yaml_marks import read
 
 SPECIES: Final = "species"
 LEVEL: Final = "level"
@@ -203,66 +209,3 @@ class Catalogue:
                 except ContentError as error:
                     found += error.problems
         return found
-
-
-def catalogue(given: Sequence[Path] = ()) -> tuple[Catalogue, list[DisabledMod]]:
-    """Return what the base game and all mods define, and the installed mods that are left out.
-
-    Raise ContentError where the base game or a mod of `given` is at fault.
-    """
-    known = Catalogue()
-    problems = known.add(base()) or known.problems()
-    if problems:
-        raise ContentError(problems)
-    mods, disabled = discover(given)
-    fatal: list[Problem] = []
-    waiting = list(mods)
-    while waiting:
-        mod = waiting.pop(0)
-        trial = known.copy()
-        problems = [*trial.add(mod), *trial.problems()]
-        if not problems:
-            known = trial
-        elif mod.given:
-            fatal += problems
-            known = trial
-        else:
-            disabled.append(DisabledMod(str(mod.root), tuple(problems)))
-            waiting = _without_dependants(mod, waiting, disabled)
-    if fatal:
-        raise ContentError(fatal)
-    return known, disabled
-
-
-def _without_dependants(mod: Mod, waiting: list[Mod], disabled: list[DisabledMod]) -> list[Mod]:
-    """Return the mods that still can load without `mod`; a given one that needs it raises ContentError."""
-    kept: list[Mod] = []
-    gone = [mod.id]
-    for other in waiting:
-        needed = [index for index, name in enumerate(other.info.requires) if name in gone]
-        if not needed:
-            kept.append(other)
-            continue
-        name = other.info.requires[needed[0]]
-        problem = other.mark("requires", needed[0]).problem(
-            f"the mod {quoted(name)} is required and disabled"
-        )
-        if other.given:
-            raise ContentError([problem, *disabled[-1].problems])
-        disabled.append(DisabledMod(str(other.root), (problem,)))
-        gone.append(other.id)
-    return kept
-
-
-def local(path: Path, kind: str, known: Catalogue) -> tuple[Catalogue, str]:
-    """Return a catalogue that also holds the file `path`, which no mod holds, and its name there.
-
-    Species that lie beside a species are known to it. Raise ContentError.
-    """
-    trial = known.copy()
-    home = replace(known.mods[BASE], root=path.parent.resolve(), repertoires=path.parent)
-    for sibling in sorted(path.parent.glob("*.yaml")) if kind == SPECIES else ():
-        if sibling != path and sibling.stem not in trial.species:
-            trial.add_file(kind, home, sibling)
-    definition = trial.add_file(kind, home, path)
-    return trial, definition.name

@@ -4,20 +4,24 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue, catalogue
+from reefgame.content.assembly import catalogue
+from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue
 from reefgame.content.errors import ContentError, Problem
 from reefgame.content.level_checks import level_problems
-from reefgame.content.loading import find
-from reefgame.content.mods import BASE, Mod, check_new, ordered, read_mod
+from reefgame.content.load_order import check_new, ordered
+from reefgame.content.loading import enclosing_mod, locate
+from reefgame.content.mods import BASE, Mod, read_mod
+from reefgame.content.nodes import Mapping, Mark, Scalar
 from reefgame.content.schema.mod import ModFile
 from reefgame.content.schema.validate import validate
-from reefgame.content.yaml_marks import Mapping, Mark, Scalar, read, shown
+from reefgame.content.yaml_marks import read, shown
 
 
 def check(paths: Sequence[Path]) -> list[Problem]:
     """Return every problem of the given files, folders of files and mods, in order of place."""
     problems: list[Problem] = []
     mods: list[Path] = []
+    known: dict[Path | None, Catalogue] = {}
     for path in paths:
         found, faults = _content_in(Path(path))
         problems += faults
@@ -25,7 +29,7 @@ def check(paths: Sequence[Path]) -> list[Problem]:
             if one.is_dir():
                 mods.append(one)
             else:
-                problems += _problems(_check_file, one)
+                problems += _problems(_check_file, one, known)
     if mods:
         problems += _problems(_check_mods, mods)
     return sorted(set(problems))
@@ -55,8 +59,12 @@ def _content_in(path: Path) -> tuple[list[Path], list[Problem]]:
         return ([path.parent] if path.name == "mod.yaml" and _is_mod(path.parent) else [path]), []
     if _is_mod(path):
         return [path], []
-    found = sorted(path.glob("*.yaml"))
-    for folder in sorted(path.iterdir()):
+    try:
+        entries = sorted(path.iterdir())
+    except OSError as error:
+        return [], [Mark(shown(path)).problem(f"the folder cannot be read: {error.strerror}")]
+    found = [entry for entry in entries if entry.suffix == ".yaml"]
+    for folder in entries:
         if folder.is_dir() and not folder.is_symlink() and not folder.name.startswith((".", "_")):
             found += _content_in(folder)[0]
     nothing = Mark(shown(path)).problem("there is no YAML file in this folder")
@@ -73,16 +81,17 @@ def kind_of(tree: Mapping, path: Path) -> str:
     return LEVEL if {"world", "submarine", "objective", "fishes"} & set(tree.items) else SPECIES
 
 
-def _check_file(path: Path) -> list[Problem]:
+def _check_file(path: Path, known: dict[Path | None, Catalogue]) -> list[Problem]:
     tree = read(path)
     kind = kind_of(tree, path)
     if kind == "mod":
         validate(tree, ModFile)
         return []
-    if "overrides" in tree.items:
-        raise tree.keys["overrides"].error("only files of a mod override: check the mod's folder")
-    known, _, name = find(kind, path, ())
-    return _check_one(known, kind, name)
+    home = enclosing_mod(path)
+    if home not in known:
+        known[home] = catalogue([home] if home else [])[0]
+    found, name = locate(kind, path, known[home])
+    return _check_one(found, kind, name)
 
 
 def _check_one(known: Catalogue, kind: str, name: str) -> list[Problem]:

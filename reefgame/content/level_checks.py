@@ -8,9 +8,9 @@ from components.ground import Terrain, ground_height, rock_distance
 from components.landscape import build_terrain, rock_on_ground
 from components.submarine import HULL_RADIUS
 from reefgame.content.errors import Problem, quoted
+from reefgame.content.nodes import Mapping, Mark
 from reefgame.content.schema.level import Group, Level
 from reefgame.content.schema.validate import node_at
-from reefgame.content.yaml_marks import Mapping, Mark
 
 MOST_FISHES: Final = 200_000
 _SHALLOWEST: Final = 3.0
@@ -30,7 +30,10 @@ def terrain_of(level: Level) -> Terrain:
 
 def level_problems(level: Level, tree: Mapping) -> list[Problem]:
     """Return what is wrong with a level beyond its values; `tree` has the marks."""
-    return [*_seabed(level, tree), *_places(level, tree), *_numbers(level, tree)]
+    seabed = [*_seabed(level, tree)]
+    # Above a wrong seabed every place would be wrong too.
+    places = [] if seabed else [*_places(level, tree)]
+    return [*seabed, *places, *_numbers(level, tree)]
 
 
 def _mark(tree: Mapping, *location: int | str) -> Mark:

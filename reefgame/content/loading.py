@@ -8,16 +8,19 @@ from pathlib import Path
 from components.repertoire import Repertoire
 from components.species import Species
 from reefgame.content.anatomy import body_of, species_of, swim_of
-from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue, catalogue, local
+from reefgame.content.assembly import catalogue, in_mods, local
+from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue
 from reefgame.content.digest import content_hash
 from reefgame.content.errors import ContentError, Problem
 from reefgame.content.level_checks import level_problems
-from reefgame.content.mods import BASE, DisabledMod, check_inside
+from reefgame.content.load_order import DisabledMod
+from reefgame.content.mods import BASE, check_inside
+from reefgame.content.nodes import Mark, Scalar
 from reefgame.content.repertoires import Progress, repertoire_of
 from reefgame.content.schema.level import Level
 from reefgame.content.schema.species import SpeciesFile
 from reefgame.content.schema.validate import node_at
-from reefgame.content.yaml_marks import Mark, Scalar, read, read_bytes
+from reefgame.content.yaml_marks import read, read_bytes
 
 
 @dataclass(frozen=True)
@@ -92,12 +95,14 @@ def find(
     read_bytes(path)
     home = enclosing_mod(path)
     known, disabled = catalogue([Path(mod) for mod in (*mods, *([home] if home else []))])
-    real = path.resolve()
-    for name, definition in known.of(kind).items():
-        if definition.path.resolve() == real:
-            return known, disabled, name
-    trial, name = local(path, kind, known)
-    return trial, disabled, name
+    found, name = locate(kind, path, known)
+    return found, disabled, name
+
+
+def locate(kind: str, path: Path, known: Catalogue) -> tuple[Catalogue, str]:
+    """Return the catalogue that holds what the file `path` defines, and its name there."""
+    name = in_mods(path, kind, known)
+    return local(path, kind, known) if name is None else (known, name)
 
 
 def _by_name(kind: str, text: str, known: Catalogue) -> str:

@@ -1,27 +1,25 @@
-"""Mods: folders of data, where they are found, what they say of themselves, and the order in which they load.
+"""Mods: folders of data, what they say of themselves, and what may lie in them.
 
 A mod is a folder with mod.yaml, species/, levels/, textures/ and repertoires/; the base game is one too. Nothing in a
 mod is ever run, and no path or link in it leads out of it.
 """
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib import metadata
 from importlib.resources import files
 from pathlib import Path
 from typing import Final
 
-from platformdirs import user_data_path
-
 import assets
 import levels
-import reefgame
-from reefgame.content.errors import ContentError, Problem, did_you_mean, listed, quoted
+from reefgame.content.errors import ContentError, Problem, listed, quoted
+from reefgame.content.nodes import Mapping, Mark
 from reefgame.content.schema.mod import ModFile
 from reefgame.content.schema.strict import ALLOWED, NAME_PATTERN
 from reefgame.content.schema.validate import node_at, validate
-from reefgame.content.yaml_marks import Mapping, Mark, read, shown
+from reefgame.content.yaml_marks import read, shown
 
 BASE: Final = "reefgame"
 """The id of the base game, whose names need no `mod:` before them."""
@@ -54,14 +52,6 @@ class Mod:
     def mark(self, *location: int | str) -> Mark:
         """Return the place of a value in mod.yaml."""
         return node_at(self.tree, location).mark
-
-
-@dataclass(frozen=True)
-class DisabledMod:
-    """An installed mod that is left out, and why."""
-
-    folder: str
-    problems: tuple[Problem, ...]
 
 
 def base() -> Mod:
@@ -155,7 +145,12 @@ def yaml_files(folder: Path, root: Path) -> tuple[dict[str, Path], list[Problem]
     """Return the YAML files of a mod's folder by their names, and what is wrong with the others."""
     found: dict[str, Path] = {}
     problems: list[Problem] = []
-    for path in sorted(folder.iterdir()) if folder.is_dir() else []:
+    try:
+        entries = sorted(folder.iterdir()) if folder.is_dir() else []
+    except OSError as error:
+        message = f"the folder cannot be read: {error.strerror}"
+        return {}, [Mark(shown(folder)).problem(message)]
+    for path in entries:
         if path.suffix == ".yml":
             problems.append(Mark(shown(path)).problem("name the file .yaml, not .yml"))
         if path.suffix != ".yaml":
@@ -169,137 +164,6 @@ def yaml_files(folder: Path, root: Path) -> tuple[dict[str, Path], list[Problem]
         except ContentError as error:
             problems.extend(error.problems)
     return found, problems
-
-
-def installed_folders() -> list[Path]:
-    """Return the folders of mods in the user's data folder and in the checkout's mods/."""
-    checkout = Path(str(reefgame.__file__)).parents[1]
-    places = [user_data_path("reefgame") / "mods"]
-    if (checkout / "pyproject.toml").is_file():
-        places.append(checkout / "mods")
-    found: list[Path] = []
-    for place in places:
-        try:
-            found += sorted(folder for folder in place.iterdir() if folder.is_dir())
-        except OSError:
-            continue
-    return found
-
-
-def discover(given: Sequence[Path]) -> tuple[list[Mod], list[DisabledMod]]:
-    """Return the mods in load order without the base, and the installed ones that had to be left out.
-
-    Raise ContentError where one of the `given` folders is at fault.
-    """
-    disabled: list[DisabledMod] = []
-    wanted = _given(given)
-    known = {mod.id: mod for mod in wanted}
-    for folder in installed_folders():
-        try:
-            mod = read_mod(folder, given=False)
-            check_new(mod, known)
-        except ContentError as error:
-            disabled.append(DisabledMod(str(folder), error.problems))
-        else:
-            known[mod.id] = mod
-    installed = [mod for _, mod in sorted(known.items()) if not mod.given]
-    return ordered([*installed, *wanted], disabled), disabled
-
-
-def _given(folders: Sequence[Path]) -> list[Mod]:
-    problems: list[Problem] = []
-    known: dict[str, Mod] = {}
-    for folder in dict.fromkeys(folders):
-        try:
-            mod = read_mod(folder, given=True)
-            check_new(mod, known)
-            known[mod.id] = mod
-        except ContentError as error:
-            problems.extend(error.problems)
-    if problems:
-        raise ContentError(problems)
-    return list(known.values())
-
-
-def check_new(mod: Mod, known: dict[str, Mod]) -> None:
-    """Raise ContentError where `known` holds another mod of the same id."""
-    other = known.get(mod.id)
-    if other is not None:
-        where = other.mark("id")
-        message = f"two mods are called {quoted(mod.id)}: the other is {where.file}:{where.line}"
-        raise mod.mark("id").error(message)
-
-
-def ordered(mods: Sequence[Mod], disabled: list[DisabledMod]) -> list[Mod]:
-    """Return the mods in load order; installed ones that cannot load move to `disabled`.
-
-    Raise ContentError where a given mod requires one that is not there, or stands in a circle.
-    """
-    left = list(mods)
-    while True:
-        faults = [*_missing(left)] or [*_circles(left)]
-        fatal = [problem for mod, problem in faults if mod.given]
-        if fatal:
-            raise ContentError(fatal)
-        if not faults:
-            return _sorted(left)[0]
-        for mod in {m.id: m for m, _ in faults}.values():
-            problems = tuple(problem for m, problem in faults if m is mod)
-            disabled.append(DisabledMod(str(mod.root), problems))
-            left.remove(mod)
-
-
-def _missing(mods: Sequence[Mod]) -> Iterable[tuple[Mod, Problem]]:
-    known = [mod.id for mod in mods]
-    for mod in mods:
-        for index, other in enumerate(mod.info.requires):
-            if other not in (*known, BASE):
-                message = f"the mod {quoted(other)} is required and not there"
-                hint = did_you_mean(other, [name for name in known if name != mod.id])
-                yield mod, mod.mark("requires", index).problem(message + hint)
-
-
-def _before(mod: Mod, among: Iterable[str]) -> list[str]:
-    known = set(among)
-    return [other for other in (*mod.info.requires, *mod.info.after) if other in known]
-
-
-def _sorted(mods: Sequence[Mod]) -> tuple[list[Mod], list[Mod]]:
-    """Return the mods that can be ordered, in order, and those that stand in or behind a circle."""
-    done: list[Mod] = []
-    left = list(mods)
-    while left:
-        ready = [m for m in left if not _before(m, (other.id for other in left))]
-        if not ready:
-            return done, left
-        done.append(ready[0])
-        left.remove(ready[0])
-    return done, left
-
-
-def _circles(mods: Sequence[Mod]) -> Iterable[tuple[Mod, Problem]]:
-    by_id = {mod.id: mod for mod in _sorted(mods)[1]}
-    for mod in by_id.values():
-        circle = _way_back(mod, by_id)
-        if circle:
-            key = "requires" if circle[1] in mod.info.requires else "after"
-            index = getattr(mod.info, key).index(circle[1])
-            message = f"the load order goes round in a circle: {' after '.join(circle)}"
-            yield mod, mod.mark(key, index).problem(message)
-
-
-def _way_back(mod: Mod, by_id: dict[str, Mod]) -> list[str] | None:
-    """Return a way from the mod over those it loads after back to itself, or None."""
-    ways = [[mod.id]]
-    seen: set[str] = set()
-    for way in ways:
-        for other in _before(by_id[way[-1]], by_id):
-            if other == mod.id:
-                return [*way, other]
-            if other not in seen:
-                seen.add(other)
-                ways.append([*way, other])
-    return None
 
 
 def names_listed(names: Iterable[str]) -> str:

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from reefgame.content.errors import printable
 from reefgame.content.mods import name_problem
-from reefgame.content.yaml_marks import Mark, shown
+from reefgame.content.nodes import Mark
+from reefgame.content.yaml_marks import shown
 
 _FOLDERS = {"species": "species", "level": "levels"}
 

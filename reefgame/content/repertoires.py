@@ -14,7 +14,8 @@ from platformdirs import user_cache_path
 from components.body import Body, Swim
 from components.repertoire import Repertoire
 from components.repertoire_file import RepertoireError, load, save
-from reefgame.content.yaml_marks import Mark, shown
+from reefgame.content.nodes import Mark
+from reefgame.content.yaml_marks import shown
 
 Progress: TypeAlias = Callable[[float, str], None]
 """Told how far the work is, 0 to 1, and what is being done."""

@@ -5,6 +5,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from reefgame.content.errors import ContentError, Problem
+from reefgame.content.nodes import Listing, Mapping, Mark, Node, plain
 from reefgame.content.schema.messages import (
     Location,
     message,
@@ -12,7 +13,6 @@ from reefgame.content.schema.messages import (
     tuple_length,
     wrong_length,
 )
-from reefgame.content.yaml_marks import Listing, Mapping, Mark, Node, plain
 
 Model = TypeVar("Model", bound=BaseModel)
 
