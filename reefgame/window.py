@@ -15,10 +15,11 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from reefgame.console import InputError, complain
+from reefgame.console import InputError, complain, progress_bar
 from reefgame.content import Content, load
-from reefgame.content.catalogue import catalogue
+from reefgame.content.catalogue import LEVEL
 from reefgame.content.errors import ContentError
+from reefgame.content.loading import find
 from reefgame.settings import Settings
 from systems.view.context import PACKAGES, choose_options, config
 from systems.view.target import UInt8s, write_png
@@ -59,7 +60,7 @@ def play(
 
     game = Game(
         cards,
-        lambda name: load(paths.get(name, name), mods=mods),
+        lambda name: _load(paths.get(name, name), mods),
         start,
         secrets.randbelow(_SEEDS) if seed is None else seed,
         record,
@@ -71,6 +72,11 @@ def play(
     _warn(game)
     view.run()
     return 0
+
+
+def _load(level: str, mods: Sequence[Path]) -> Content:
+    with progress_bar("loading") as report:
+        return load(level, mods=mods, progress=report)
 
 
 def watch(replay: "Replay", content: Content) -> int:
@@ -95,11 +101,12 @@ def watch(replay: "Replay", content: Content) -> int:
 
 def _levels(
     level: str | None, mods: Sequence[Path]
-) -> tuple[list["LevelCard"], str, dict[str, str | Path]]:
-    """Return the levels to list, the one to begin with, and the files of those not in a mod."""
+) -> tuple[list["LevelCard"], str, dict[str, str]]:
+    """Return the levels to list, the name of the one to begin with, and how it was asked for."""
     from reefgame.screens.level_card import LevelCard
 
-    known, disabled = catalogue(mods)
+    asked = level or _FIRST_LEVEL
+    known, disabled, start = find(LEVEL, asked, mods)
     for mod in disabled:
         complain(str(mod))
     cards = []
@@ -107,19 +114,12 @@ def _levels(
         try:
             found = known.level(name)
         except ContentError as error:
+            if name == start:
+                raise
             complain(str(error))
             continue
-        cards.append(LevelCard(found.name, found.title, found.brief))
-    start = level or _FIRST_LEVEL
-    if start in {card.name for card in cards}:
-        return cards, start, {}
-    asked = load(start, mods=mods).level
-    others = [card for card in cards if card.name != asked.name]
-    return (
-        [LevelCard(asked.name, asked.title, asked.brief), *others],
-        asked.name,
-        {asked.name: start},
-    )
+        cards.append(LevelCard(name, found.title, found.brief))
+    return cards, start, {start: asked}
 
 
 def _warn(game: "Game") -> None:

@@ -266,6 +266,7 @@ class Canvas:
         sprite = Sprite(texture, x=box[0], y=box[1], batch=self.batch, group=self._group(order, 1))
         sprite.scale_x = box[2] / texture.width
         sprite.scale_y = box[3] / texture.height
+        self._kept.append(sprite)
         return sprite
 
     def draw(self) -> None:

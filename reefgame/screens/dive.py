@@ -15,7 +15,7 @@ from reefgame.screens.briefing import Briefing
 from reefgame.screens.canvas import Panel
 from reefgame.screens.game import Game
 from reefgame.screens.help import HelpScreen
-from reefgame.screens.hud import Hud, plural, verdict
+from reefgame.screens.hud import Hud, hint, plural, verdict
 from reefgame.screens.pause import PauseScreen
 from reefgame.screens.result import ResultScreen
 from reefgame.screens.screen import Screen, trace
@@ -86,10 +86,7 @@ class DiveScreen(Screen):
         self._flash: Panel = c.panel(0, 0, c.width, c.height, theme.CLEAR, order=6)
         self._print: Sprite | None = None
         self._border: Panel = c.panel(0, 0, 0, 0, (244, 248, 246, 255), radius=3 * c.unit, order=4)
-        c.text(
-            "H  help    Esc  pause", c.width - 22 * c.unit, 22 * c.unit, theme.TINY, theme.HAZE,
-            "right baseline", shadow=True,
-        )  # fmt: skip
+        hint(c, "H  help     Esc  pause")
         self._show()
 
     def update(self, seconds: float) -> None:

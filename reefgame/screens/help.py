@@ -15,7 +15,7 @@ CONTROLS: Final = (
     ("X", "full stop"),
     ("Enter  P  \u00b7  left click", "photograph"),
     ("Esc  \u00b7  F11  \u00b7  F12", "pause  \u00b7  full screen  \u00b7  picture"),
-    ("gamepad", "sticks, triggers, A photograph, B stop"),
+    ("gamepad", "sticks, triggers, A photo, B stop"),
 )
 
 

@@ -38,6 +38,20 @@ def verdict(framed: int, wanted: int, name: str, done: bool) -> str:
     return f"{framed} {name}, {wanted - framed} more: get closer"
 
 
+def hint(canvas: Canvas, text: str) -> None:
+    """Add a line about keys at the lower right; a narrow window has no room for it."""
+    u = canvas.unit
+    right = canvas.width - 14 * u
+    written = canvas.text(
+        text, right - 12 * u, 26 * u, theme.TINY, theme.MIST, "right center", order=1
+    )
+    left = right - written.width - 24 * u
+    if left > 0.5 * canvas.width + 245 * u:
+        canvas.panel(left, 14 * u, right - left, 24 * u, faded(theme.DEEP, 0.75), radius=8 * u)
+    else:
+        written.set("")
+
+
 class Compass:
     """A strip of bearings that slides below a mark."""
 
@@ -171,33 +185,37 @@ class Hud:
         self._speed = Gauge(canvas, middle - 0.16 * strip, low, "SPEED")
         self._heading = Gauge(canvas, middle + 0.07 * strip, low, "HEADING")
         self._throttle = Throttle(canvas, middle + 0.20 * strip, low, 0.25 * strip)
-        self._task = self._corner(canvas)
-        top = canvas.height - 34 * u
+        self._task = self._corner(canvas) if world.goals else None
+        right, top, wide = canvas.width - 14 * u, canvas.height - 10 * u, 92 * u
+        canvas.panel(
+            right - wide, top - 50 * u, wide, 50 * u, faded(theme.DEEP, 0.75), radius=10 * u
+        )
         self._time = canvas.text(
-            "", canvas.width - 22 * u, top, theme.LARGE, anchor="right baseline", shadow=True
+            "", right - 14 * u, top - 25 * u, theme.LARGE, anchor="right baseline", order=1
         )
         self._shots = canvas.text(
-            "", canvas.width - 22 * u, top - 22 * u, theme.SMALL, theme.MIST, "right baseline",
-            shadow=True,
-        )  # fmt: skip
+            "", right - 14 * u, top - 42 * u, theme.SMALL, theme.MIST, "right baseline", order=1
+        )
         self._prompt = Banner(canvas, canvas.height - 95 * u, theme.BODY, theme.FOAM)
         self._message = Banner(canvas, canvas.height * 0.66, theme.LARGE, theme.SUNLIT)
 
-    def _corner(self, canvas: Canvas) -> Text | None:
-        u, world = canvas.unit, self._world
-        if not world.goals:
-            return None
-        goal = world.goals[0]
-        name = plural(world.species[goal.species].title, goal.count)
-        left, top = 22 * u, canvas.height - 34 * u
-        wide = max(canvas.width * 0.5 - 190 * u, 120 * u)
-        canvas.text("PHOTOGRAPH", left, top + 10 * u, theme.TINY, theme.HAZE, shadow=True)
-        task = f"{goal.count} {name} in one frame, within {goal.within:g} m"
+    def _corner(self, canvas: Canvas) -> Text:
+        """Say at the top left what is to be done; return the text that says how far it is."""
+        u, goal = canvas.unit, self._world.goals[0]
+        name = plural(self._world.species[goal.species].title, goal.count)
+        left, top = 14 * u, canvas.height - 10 * u
+        room = 0.5 * canvas.width - 190 * u
+        canvas.text("PHOTOGRAPH", left + 14 * u, top - 17 * u, theme.TINY, theme.HAZE, order=1)
         told = canvas.text(
-            task, left, top + 4 * u, theme.BODY, anchor="left top", width=wide, shadow=True
+            f"{goal.count} {name} in one frame, within {goal.within:g} m", left + 14 * u,
+            top - 22 * u, theme.BODY, anchor="left top", width=room - 28 * u, order=1,
+        )  # fmt: skip
+        tall = told.height + 46 * u
+        wide = min(room, told.width + 30 * u)
+        canvas.panel(left, top - tall, wide, tall, faded(theme.DEEP, 0.75), radius=10 * u)
+        return canvas.text(
+            "", left + 14 * u, top - tall + 8 * u, theme.SMALL, theme.SUNLIT, order=1
         )
-        low = top - told.height - 12 * u
-        return canvas.text("", left, low, theme.SMALL, theme.SUNLIT, shadow=True)
 
     def show(self, prompt: str, message: str, age: float) -> None:
         """Show the world as it is, a prompt, and a message that was given `age` seconds ago."""
@@ -214,6 +232,6 @@ class Hud:
         if self._task is not None:
             shots, best = int(objective.shots[0]), int(objective.best[0])
             self._shots.set(f"{shots} photo{'' if shots == 1 else 's'}")
-            self._task.set(f"best so far: {best}" if shots else "")
+            self._task.set(f"best so far: {best}" if shots else "no photograph yet")
         self._prompt.show(prompt, 1.0)
         self._message.show(message, (_MESSAGE_SECONDS - age) / _FADE_SECONDS)

@@ -33,6 +33,8 @@ class Item:
     "what stands at the right, for settings and scores"
     shift: Callable[[int], None] | None = None
     "what left (-1) and right (+1) do"
+    marked: Callable[[], bool] = lambda: False
+    "whether it is the one in force, among several"
 
 
 class Menu:
@@ -83,7 +85,7 @@ class Menu:
                 faded(theme.LAGOON, 0.30) if focused else theme.CLEAR,
                 faded(theme.LAGOON, 0.14) if focused else theme.CLEAR,
             )
-            bar.paint(theme.LAGOON if focused else theme.CLEAR)
+            bar.paint(theme.LAGOON if focused else theme.SUNLIT if item.marked() else theme.CLEAR)
             label.set(item.label, theme.FOAM if focused else theme.MIST)
             if value and item.value:
                 shown = item.value()

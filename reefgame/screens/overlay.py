@@ -7,7 +7,7 @@ from reefgame.screens.game import Game
 from reefgame.screens.menu import BACK, Item, Menu
 from reefgame.screens.screen import Screen
 
-WIDTH = 440
+WIDTH = 460
 """Units that a card is wide."""
 
 

@@ -21,6 +21,8 @@ from reefgame.screens.screen import Screen
 from reefgame.screens.theme import faded
 from reefgame.world import World
 
+_COMMANDS = 3
+"""Items below the levels."""
 _SHOWN = 5
 """Levels listed at a time."""
 _ORBIT_SECONDS = 150.0
@@ -60,7 +62,7 @@ class TitleScreen(Screen):
         super().__init__(game)
         self._first = 0
         self.menu = self._menu()
-        self.menu.focus = len(self.menu.items) - 3
+        self.menu.focus = len(self.menu.items) - _COMMANDS
         game.backdrop.restart()
 
     def _menu(self) -> Menu:
@@ -82,13 +84,29 @@ class TitleScreen(Screen):
             self.game.chosen = card.name
             self._play()
 
-        return Item(card.title, choose, lambda: best_text(self.game.progress.record(card.name)))
+        return Item(
+            card.title,
+            choose,
+            lambda: best_text(self.game.progress.record(card.name)),
+            marked=lambda: self.game.chosen == card.name,
+        )
+
+    def _after_input(self) -> None:
+        """Tell of the level that has the focus, and make it the one that Dive begins."""
+        at = self._first + self.menu.focus
+        if (
+            self.menu.focus >= len(self.menu.items) - _COMMANDS
+            or self.game.levels[at] is self.game.card
+        ):
+            return
+        self.game.chosen = self.game.levels[at].name
+        self.game.stack.relay(self)
 
     def _other_level(self, step: int) -> None:
         names = [card.name for card in self.game.levels]
         self.game.chosen = names[(names.index(self.game.chosen) + step) % len(names)]
         self.menu = self._menu()
-        self.menu.focus = len(self.menu.items) - 3
+        self.menu.focus = len(self.menu.items) - _COMMANDS
         self.game.stack.relay(self)
 
     def _play(self) -> None:
@@ -117,7 +135,7 @@ class TitleScreen(Screen):
         brief = c.text(
             card.brief, left + 18 * u, 0, theme.SMALL, theme.MIST, "left top", inside, order=2
         )
-        levels = len(self.menu.items) - 3
+        levels = len(self.menu.items) - _COMMANDS
         rows = Menu.height(len(self.menu.items), u)
         height = rows + brief.height + 62 * u
         low = max(46 * u, 0.5 * (top - 56 * u - height))
@@ -160,14 +178,17 @@ class TitleScreen(Screen):
     def pressed(self, name: str) -> None:
         """Move through the menu."""
         self.menu.pressed(name)
+        self._after_input()
 
     def stick(self, name: str, deflection: float) -> None:
         """Move through the menu."""
         self.menu.stick(name, deflection)
+        self._after_input()
 
     def pointed(self, x: float, y: float) -> None:
         """Focus what the pointer is over."""
         self.menu.pointed(x, y)
+        self._after_input()
 
     def clicked(self, x: float, y: float) -> None:
         """Choose what was clicked."""

@@ -6,7 +6,7 @@ from components.command import Command
 from reefgame.replay import Replay
 from reefgame.screens import theme
 from reefgame.screens.game import Game
-from reefgame.screens.hud import Hud, plural
+from reefgame.screens.hud import Hud, hint, plural
 from reefgame.screens.menu import BACK
 from reefgame.screens.screen import Screen
 from reefgame.screens.viewfinder import Viewfinder, slope_for
@@ -36,10 +36,7 @@ class WatchScreen(Screen):
         self._hud = Hud(c, world)
         c.panel(0, 0, c.width, 5 * c.unit, theme.DEEP, order=4)
         self._bar = c.panel(0, 0, 0, 5 * c.unit, theme.LAGOON, order=5)
-        c.text(
-            "Space  hold    Esc  leave", c.width - 22 * c.unit, 22 * c.unit, theme.TINY,
-            theme.HAZE, "right baseline", shadow=True,
-        )  # fmt: skip
+        hint(c, "Space  hold     Esc  leave")
 
     def update(self, seconds: float) -> None:
         """Take the ticks that are due, until the replay ends."""
