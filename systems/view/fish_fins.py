@@ -24,6 +24,7 @@ PELVIC_BOX: Final = (0.756, 0.834, 0.994, 0.994)
 CONTROL: Final = 12
 """Control points along a median fin (papers/000, 7.2)."""
 _SUNK: Final = 0.9
+_DEEPEST_FORK: Final = 0.72
 _NO_FIN: Final = Fin(0.5, 0.501, 0.0, 0.0)
 
 
@@ -68,7 +69,8 @@ def caudal(lattice: Lattice, outward: int, across: int) -> Patch:
     root = outline.end - 0.03
     root_half = 0.95 * float(outline.half_height(np.array([root]))[0])
     r, q = np.linspace(0, 1, outward)[:, None], np.linspace(-1, 1, across)[None, :]
-    edge = 1.0 - body.tail_fork * (1.0 - q * q) ** 1.4
+    fork = min(body.tail_fork, _DEEPEST_FORK * (1.0 - root))
+    edge = 1.0 - fork * (1.0 - q * q) ** 1.4
     x = root + (edge - root) * r
     spread = r**1.15 * (1.0 - 0.12 * r * (1.0 - np.abs(q)))
     y = q * (root_half + (body.tail_span - root_half) * spread)

@@ -37,6 +37,8 @@ class Lattice:
     "weights of the nodes in a step of 1 BL upwards, (21, 23)"
     right: Float64s
     "weights of the nodes in a step of 1 BL to the right, (21, 23)"
+    reached: Float64s
+    "x [BL] that the rows reach at evenly spaced parameters from 0 to 1, (2001,)"
 
     def bind(self, points: Float64s) -> Float64s:
         """Return the weights (n, 23) with which points (n, 3) of the straight body [BL] follow the nodes."""
@@ -70,8 +72,7 @@ class Lattice:
         return result
 
     def _parameter(self, x: Float64s) -> Float64s:
-        fine = np.linspace(0.0, 1.0, _FINE)
-        at: Float64s = np.interp(x, basis(fine, ROWS) @ self.row, fine)
+        at: Float64s = np.interp(x, self.reached, np.linspace(0.0, 1.0, _FINE))
         return at
 
 
@@ -83,7 +84,8 @@ def lattice_of(body: Body) -> Lattice:
     for start, end, gaps in zip(edges[1:-1], edges[2:], _GAPS[1:], strict=True):
         rows += [start + (end - start) * k / gaps for k in range(gaps)]
     row = np.array([*rows, outline.end])
-    return Lattice(body, outline, row, *frames(body, row))
+    reached = basis(np.linspace(0.0, 1.0, _FINE), ROWS) @ row
+    return Lattice(body, outline, row, *frames(body, row), reached)
 
 
 def frames(body: Body, x: Float64s) -> tuple[Float64s, Float64s, Float64s]:

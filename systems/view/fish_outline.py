@@ -73,7 +73,7 @@ def outline_of(body: Body) -> Outline:
     end = last + ROOT * (1.0 - last)
     x = np.array([0.0, *body.station, end])
     height = np.array([0.0, *body.half_height, FLARE * body.half_height[4]])
-    width = np.array([0.0, *body.half_width, 0.3 * body.half_width[4]])
+    width = np.array([0.0, *body.half_width, 0.16 * body.half_width[4]])
     drop = MOUTH_DROP * body.half_height[0]
     return Outline(end, x**SNOUT, height, width, body.station[0], drop)
 
