@@ -1,0 +1,66 @@
+"""The grid against looking at everybody: same neighbours, whatever the crowding."""
+
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from systems.mind.perceive import NEIGHBOURS, find_runs, make_attention, watch
+
+
+def nearest_by_brute_force(pond, me: int, reach: float) -> list[int]:  # type: ignore[no-untyped-def]
+    fish, count = pond.population.fish, pond.population.count
+    offset = fish.position[:count] - fish.position[me]
+    square = (offset[:, 0] ** 2 + offset[:, 1] ** 2) + offset[:, 2] ** 2
+    axis = fish.rotation[me, :, 0]
+    along = offset @ axis
+    seen = (along >= 0) | (along**2 < 0.75 * square)
+    seen &= (square <= reach * reach) & (fish.species[:count] == fish.species[me])
+    seen[me] = False
+    rows = np.flatnonzero(seen)
+    return list(rows[np.lexsort((fish.id[rows], square[rows]))][:NEIGHBOURS])
+
+
+@pytest.mark.parametrize(
+    ("sardines", "tangs", "spread"),
+    [(40, 10, 2.0), (700, 100, 2.0), (1000, 0, 0.02), (900, 300, 5.0)],
+)
+def test_neighbours_are_those_of_brute_force(
+    pond: ModuleType, sardines: int, tangs: int, spread: float
+) -> None:
+    scene = pond.Pond(sardines, tangs, spread=spread)
+    grid, attention = scene.think.grid, make_attention()
+    grid.sort(scene.population)
+    plan, crowd = grid.plan, grid.crowd
+    several = 0
+    for place in range(0, sardines + tangs, 7):
+        runs = find_runs(plan, crowd, crowd.column[place], crowd.layer[place], attention.runs[0])
+        found, _, _ = watch(crowd, place, True, plan.cell, runs, attention, 0)
+        rows = [int(crowd.row[k]) for k in attention.near[0, :found]]
+        assert rows == nearest_by_brute_force(scene, int(crowd.row[place]), plan.cell)
+        several += found > 1
+    assert several > 0
+
+
+def test_every_fish_stands_in_its_column_once(pond: ModuleType) -> None:
+    scene = pond.Pond(300, 50, spread=5.0)
+    grid = scene.think.grid
+    grid.sort(scene.population)
+    crowd, side = grid.crowd, grid.plan.columns
+    assert sorted(crowd.row[:350].tolist()) == list(range(350))
+    assert crowd.first[0] == 0
+    assert crowd.first[side * side] == 350
+    assert np.all(np.diff(crowd.first[: side * side + 1]) >= 0)
+    for k in range(350):
+        column = crowd.column[k]
+        assert crowd.first[column] <= k < crowd.first[column + 1]
+        if k > crowd.first[column]:
+            assert crowd.layer[k - 1] <= crowd.layer[k]
+
+
+def test_shoals_count_the_schooling_alone(pond: ModuleType) -> None:
+    scene = pond.Pond(120, 30, spread=4.0)
+    scene.think.grid.sort(scene.population)
+    squares = scene.think.grid.plan.squares**2
+    numbers = scene.think.grid.crowd.shoal[:, :squares, 0].sum(axis=1)
+    assert numbers.tolist() == [120, 0]
