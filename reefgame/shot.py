@@ -24,7 +24,7 @@ from systems.view.draw_water import DrawWater
 from systems.view.frame import FrameBlock, Look
 from systems.view.target import Target, UInt8s, start_drawing, stop_drawing, write_png
 
-_VIEW_METRES = 3.0
+_VIEW_METRES = 2.4
 """How far from the middle of a school its picture is taken."""
 _FREE_METRES = 0.5
 """How much water a viewpoint needs around it."""
@@ -150,11 +150,11 @@ def viewpoint(world: World) -> Camera:
     middle = np.median(group, axis=0)
     towards = ship.eye - middle
     far = max(float(np.sqrt(towards @ towards)), 1e-6)
-    eye = middle + towards * min(_VIEW_METRES / far, 1.0) - np.array([0.0, 0.0, 0.6])
+    eye = middle + towards * min(_VIEW_METRES / far, 1.0) - np.array([0.0, 0.0, 0.1])
     eye[2] = min(eye[2], -1.0)
     if clearance(world.terrain, eye[0], eye[1], eye[2])[0] < _FREE_METRES:
         return ship
-    return camera_towards(eye, middle - np.array([0.0, 0.0, 0.4]))
+    return camera_towards(eye, middle - np.array([0.0, 0.0, 0.5]))
 
 
 def _camera(world: World, options: argparse.Namespace) -> Camera:
