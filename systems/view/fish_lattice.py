@@ -94,7 +94,7 @@ def frames(body: Body, x: Float64s) -> tuple[Float64s, Float64s, Float64s]:
     centres, ups, rights = _anchors(body)
     i = np.clip(np.searchsorted(edges, x, side="right") - 1, 0, len(edges) - 2)
     t = ((x - edges[i]) / (edges[i + 1] - edges[i]))[:, None]
-    return tuple((1 - t) * a[i] + t * a[i + 1] for a in (centres, ups, rights))  # type: ignore[return-value]
+    return tuple((1 - t) * a[i] + t * a[i + 1] for a in (centres, ups, rights))
 
 
 def _anchors(body: Body) -> tuple[Float64s, Float64s, Float64s]:

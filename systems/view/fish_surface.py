@@ -139,7 +139,9 @@ def pack(patches: list[Patch]) -> Float32s:
 
 def level_of(patches: list[Patch], solid: bool = False) -> Level:
     """Return the patches as one level; where `solid` is set the fins are drawn with the body."""
-    body, fins, start = [], [], 0
+    body: list[Int64s] = []
+    fins: list[Int64s] = []
+    start = 0
     for patch in patches:
         kind = body if solid or patch.kind == BODY else fins
         kind.append(patch.triangles + start)

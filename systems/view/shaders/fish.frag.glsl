@@ -26,7 +26,7 @@ vec3 bumped(vec3 upright, float height) {
 vec3 light_on(vec3 upright, vec3 towards) {
     vec3 light = sunlight(world, normalize(upright + .3 * towards));
     float left = exp(-.035 * max(-world.z, 0.)) * sun.w;
-    return (1.34 * light + vec3(.40, .39, .33) * left * (.55 - .45 * upright.z)) * (.72 + .34 * abs(dot(upright, towards)));
+    return (1.34 * light + vec3(.44, .50, .47) * left * (.55 - .45 * upright.z)) * (.72 + .34 * abs(dot(upright, towards)));
 }
 
 void main() {

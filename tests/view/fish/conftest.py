@@ -76,11 +76,11 @@ TANG_BODY: Final = Body(
     pectoral_height=-0.15,
 )
 _INK: Final = (0.015, 0.02, 0.06)
-_BLUE: Final = (0.11, 0.36, 0.98)
+_BLUE: Final = (0.14, 0.44, 1.0)
 TANG_SKIN: Final = Skin(
     layers=(
         Gradient(
-            colours=((0.16, 0.42, 0.95), (0.11, 0.38, 1.0), (0.08, 0.28, 0.92), (0.05, 0.17, 0.70)),
+            colours=((0.20, 0.48, 0.96), (0.14, 0.44, 1.0), (0.10, 0.34, 0.95), (0.07, 0.22, 0.77)),
             at=(-1.0, -0.2, 0.4, 1.0),
         ),
         Scales(size=0.014, strength=0.16),
@@ -91,7 +91,7 @@ TANG_SKIN: Final = Skin(
         Patch(colour=(0.98, 0.82, 0.06), at=(1.0, 0.0), size=(0.115, 0.62), softness=0.12),
     ),
     eye=Eye(at=(0.105, 0.36), radius=0.026, iris=(0.24, 0.30, 0.42), pupil=0.55),
-    fin=(0.12, 0.36, 0.95),
+    fin=(0.15, 0.41, 0.96),
     fin_edge=(0.01, 0.015, 0.04),
     tail=(0.99, 0.83, 0.07),
     tail_edge=_INK,

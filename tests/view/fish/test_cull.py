@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from components.arrays import Float64s
 from components.camera import Camera, camera_at
@@ -29,12 +30,12 @@ def drawn_ids(culling: Culling, population: Population) -> list[int]:
     return sorted(int(np.abs(at - place).sum(axis=1).argmin()) for place in seen)
 
 
-def inside(camera: Camera, points: Float64s, aspect: float) -> Float64s:
+def inside(camera: Camera, points: Float64s, aspect: float) -> NDArray[np.bool_]:
     """Return which points lie in the frustum itself: the reference."""
     away = points - camera.eye
     ahead, right, up = (away @ axis for axis in (camera.forward, camera.right, camera.up))
     wide, tall = ahead * camera.slope * aspect, ahead * camera.slope
-    result: Float64s = (ahead > 0) & (np.abs(right) <= wide) & (np.abs(up) <= tall)
+    result: NDArray[np.bool_] = (ahead > 0) & (np.abs(right) <= wide) & (np.abs(up) <= tall)
     return result
 
 
@@ -75,8 +76,8 @@ def test_a_fish_just_outside_the_frustum_is_kept_and_one_well_outside_dropped(
     view = view_of(ahead, 720, 1.0, 30.0)
     near = np.array([4.0, 0.0, -5.0]) + (reach + 0.1) * np.array(side)
     far = np.array([4.0, 0.0, -5.0]) + (reach + 0.5) * np.array(side)
-    assert level_at(view, *near, 0.2) >= 0
-    assert level_at(view, *far, 0.2) == -1
+    assert level_at(view, near[0], near[1], near[2], 0.2) >= 0
+    assert level_at(view, far[0], far[1], far[2], 0.2) == -1
 
 
 def test_water_hides_what_is_far_beyond_its_visibility(ahead: Camera) -> None:
