@@ -15,12 +15,13 @@ from reefgame.console import InputError, complain, progress_bar, say
 
 _LARGEST_SIDE = 16_384
 _LARGEST_SEED = 2**62
+_NEGATIVE = ("--from", "--at", "--seed", "--tick", "--ticks")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; return the exit status."""
     try:
-        options = _parser().parse_args(arguments)
+        options = _parser().parse_args(_joined(sys.argv[1:] if arguments is None else arguments))
         status: int = options.run(options)
     except KeyboardInterrupt:
         return 130
@@ -33,6 +34,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         complain(str(error))
         return 1
     return status
+
+
+def _joined(arguments: Sequence[str]) -> list[str]:
+    """Join an option and the value after it that begins with a minus: argparse takes it for an option."""
+    joined: list[str] = []
+    for argument in arguments:
+        if joined and joined[-1] in _NEGATIVE and re.match(r"-[\d.]", argument):
+            joined[-1] = f"{joined[-1]}={argument}"
+        else:
+            joined.append(argument)
+    return joined
 
 
 def _input_at_fault(error: Exception) -> bool:
@@ -269,8 +281,9 @@ def _soak(options: argparse.Namespace) -> int:
 
     world = World.build(load(options.level, mods=options.mod), options.seed or 0)
     trace = Trace() if options.trace else None
-    with progress_bar(f"{options.ticks} ticks of {options.level}") as report:
-        soak(world, options.ticks, trace=trace, report=report)
+    doing = f"{options.ticks} ticks of {options.level}"
+    with progress_bar(doing) as report:
+        soak(world, options.ticks, trace=trace, report=lambda done: report(done, doing))
     if trace is not None:
         try:
             trace.save(options.trace)

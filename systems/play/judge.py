@@ -42,7 +42,8 @@ def inside_frame(
     right = axes[1, 0] * x + axes[1, 1] * y + axes[1, 2] * z
     up = axes[2, 0] * x + axes[2, 1] * y + axes[2, 2] * z
     half = VIEWFINDER_SLOPE * ahead
-    return ahead > 0.0 and abs(up) <= half and abs(right) <= half * VIEWFINDER_ASPECT
+    inside: bool = ahead > 0.0 and abs(up) <= half and abs(right) <= half * VIEWFINDER_ASPECT
+    return inside
 
 
 @row

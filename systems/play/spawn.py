@@ -81,15 +81,16 @@ class Spawn:
         self, species: int, number: int, around: Float64s, within: float, cohort: int = -1
     ) -> list[int]:
         """Add `number` fishes of the species row in the ball around `around` [m]; return their ids."""
-        ids = self.roster.take(number)
-        rows = self.population.append(ids)
+        fresh = self.roster.take(number)
+        ids: list[int] = fresh.tolist()
+        rows = self.population.append(fresh)
         seed = int(self.clock.seed[0])
         kind, fish = self.species[species], self.population.fish
         fish.species[rows] = species
         fish.cohort[rows] = cohort
-        leader = int(ids[0]) if number else 0
+        leader = ids[0] if number else 0
         school_yaw = _TURN * chance.uniform(seed, chance.HEADING, 0, leader)
-        for at, identity in zip(range(rows.start, rows.stop), ids.tolist(), strict=True):
+        for at, identity in zip(range(rows.start, rows.stop), ids, strict=True):
             place(seed, identity, around, within, fish.position[at])
             confine(self.terrain, fish.position, at, 0.5 * kind.length)
             u = chance.uniform(seed, chance.HEADING, 1, identity)
@@ -100,8 +101,8 @@ class Spawn:
             self._set_moving(at, identity, species)
         fish.last_position[rows] = fish.position[rows]
         fish.last_rotation[rows] = fish.rotation[rows]
-        self.entities.add(ids.tolist())
-        return ids.tolist()
+        self.entities.add(ids)
+        return ids
 
     def remove(self, identity: int) -> None:
         """Take the fish out of the world. Raise KeyError where there is none."""
