@@ -21,6 +21,10 @@ from systems.view.context import ensure_context
 UInt8s: TypeAlias = NDArray[np.uint8]
 PNG_SIGNATURE: Final = b"\x89PNG\r\n\x1a\n"
 _FILTER_UP: Final = 2
+MOST_PIXELS: Final = 1 << 26
+"""Pixels of the largest picture: half a gigabyte of colour and depth."""
+MOST_SMOOTHED: Final = 1 << 23
+"""Pixels of the largest picture that holds several samples a pixel."""
 
 
 class TargetError(ValueError):
@@ -59,10 +63,12 @@ class Target:
             raise TargetError(
                 f"size {width}x{height}: from 1x1 to {most[0]}x{most[1]} can be drawn here"
             )
+        if width * height > MOST_PIXELS:
+            raise TargetError(f"size {width}x{height}: at most {MOST_PIXELS} pixels are drawn")
         self.width, self.height = width, height
         self._buffers: list[c_uint] = []
         self._frames: list[c_uint] = []
-        samples = min(samples, _most_samples())
+        samples = min(samples, _most_samples()) if width * height <= MOST_SMOOTHED else 0
         self._drawn = self._frame(samples)
         self._resolved = self._frame(0) if samples else self._drawn
 

@@ -4,11 +4,12 @@ Computed once from a fixed seed: noise looked up costs software GL a tenth of no
 """
 
 from ctypes import byref, c_uint
-from typing import Any, Final
+from itertools import product
+from typing import Final
 
 import numpy as np
 
-from components.arrays import Float64s
+from components.arrays import Float64s, Int64s
 from systems.view.context import ensure_context
 from systems.view.program import SAMPLER_UNITS
 
@@ -42,16 +43,19 @@ def voronoi_gap(rng: np.random.Generator, cells: int, warp: float, side: int = S
     y = grid[None, :] + warp * spectral_noise(rng, 2.0, 1, 12, side)
     points = rng.uniform(0.05, 0.95, (cells, cells, 2))
     ix, iy = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
-    near = [
-        _distance(points, x, y, ix + i, iy + j, cells) for i in range(-2, 3) for j in range(-2, 3)
-    ]
-    nearest = np.partition(np.stack(near), 1, axis=0)
-    return np.asarray(nearest[1] - nearest[0])
+    nearest = second = np.full((side, side), np.inf)
+    for i, j in product(range(-2, 3), repeat=2):
+        away = _squared(points, x, y, ix + i, iy + j, cells)
+        second = np.minimum(second, np.maximum(nearest, away))
+        nearest = np.minimum(nearest, away)
+    return np.asarray(np.sqrt(second) - np.sqrt(nearest))
 
 
-def _distance(points: Float64s, x: Float64s, y: Float64s, i: Any, j: Any, cells: int) -> Float64s:
+def _squared(
+    points: Float64s, x: Float64s, y: Float64s, i: Int64s, j: Int64s, cells: int
+) -> Float64s:
     point = points[i % cells, j % cells]
-    return np.asarray(np.hypot(i + point[..., 0] - x, j + point[..., 1] - y))
+    return np.asarray((i + point[..., 0] - x) ** 2 + (j + point[..., 1] - y) ** 2)
 
 
 def water_map() -> Float64s:
@@ -103,13 +107,13 @@ def _ripples(rng: np.random.Generator) -> Float64s:
 def _pebbles(rng: np.random.Generator) -> Float64s:
     """Return .5 for bare sand, darker and brighter in small round spots, (SIDE, SIDE)."""
     picture = np.full((SIDE, SIDE), 0.5)
-    grid = np.arange(SIDE)
+    near = np.arange(-4, 6)
     for x, y, radius, tone in rng.uniform((0, 0, 0.8, 0), (SIDE, SIDE, 2.6, 1), (150, 4)):
-        far_x = (grid - x + SIDE / 2) % SIDE - SIDE / 2
-        far_y = (grid - y + SIDE / 2) % SIDE - SIDE / 2
-        away = np.hypot(far_x[:, None], 1.3 * far_y[None, :])
+        i, j = int(x) + near, int(y) + near
+        away = np.hypot((i - x)[:, None], 1.3 * (j - y)[None, :])
         cover = np.clip(radius + 0.5 - away, 0, 1)
-        picture = picture * (1 - cover) + cover * (0.08 + 0.84 * tone)
+        patch = np.ix_(i % SIDE, j % SIDE)
+        picture[patch] = picture[patch] * (1 - cover) + cover * (0.08 + 0.84 * tone)
     return picture
 
 

@@ -12,6 +12,7 @@ from pyglet import gl
 
 from systems.view.context import PACKAGES
 from systems.view.target import (
+    MOST_PIXELS,
     Target,
     TargetError,
     decode_png,
@@ -46,6 +47,14 @@ def test_a_size_that_cannot_be_drawn_is_refused_in_one_line(size: tuple[int, int
     assert str(caught.value) == (
         f"size {size[0]}x{size[1]}: from 1x1 to {widest}x{highest} can be drawn here"
     )
+
+
+def test_a_picture_that_would_fill_the_memory_is_refused() -> None:
+    side = min(largest_size())
+    if side * side <= MOST_PIXELS:
+        side = MOST_PIXELS
+    with pytest.raises(TargetError, match=f"size {side}x{side}: "):
+        Target(side, side)
 
 
 def test_a_deleted_target_gives_its_framebuffer_back() -> None:
