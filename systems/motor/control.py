@@ -110,7 +110,7 @@ def swimmers(fish: FishTable, motor: MotorTable) -> Swimmers:
 
 @inlined
 def half_tangent_angle(sine: float, cosine: float) -> float:
-    """Return the angle [rad] of a sine and a cosine: to 0.005 rad up to a quarter turn either way,
+    """Return the angle [rad] of a sine and a cosine: to 0.01 rad up to a quarter turn either way,
     and a quarter turn's value beyond."""
     half = sine / (1.0 + cosine) if cosine > 0.0 else (1.0 if sine >= 0.0 else -1.0)
     return 2.0 * half / (1.0 + 0.28125 * half * half)

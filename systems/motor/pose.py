@@ -35,11 +35,12 @@ def place_nodes(d: Float32s, r: Float64s, o: Float64s, size: float, nodes: Float
 
 @inlined
 def mix_shapes(a: Float32s, b: Float32s, part: float, out: Float32s) -> None:
-    """out <- a + part (b - a), by planes, (3, 24)."""
-    weight = np.float32(part)
+    """out <- (1 - part) a + part b, by planes, (3, 24)."""
+    w = np.float32(part)
+    v = np.float32(1.0) - w
     for k in range(3):
         for n in range(NODES + 1):
-            out[k, n] = a[k, n] + weight * (b[k, n] - a[k, n])
+            out[k, n] = v * a[k, n] + w * b[k, n]
 
 
 @inlined

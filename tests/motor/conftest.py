@@ -1,6 +1,8 @@
 """A swimmer of known motion: what the motor system plays in tests that need no captured fish."""
 
 from collections.abc import Callable
+from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 import pytest
@@ -8,7 +10,12 @@ import pytest
 from components.arrays import Float64s
 from components.body import Body, rest_nodes
 from components.fish import Population
-from components.repertoire import Pattern, RepertoireLibrary, Segment
+from components.ground import Terrain
+from components.landscape import build_terrain
+from components.repertoire import Pattern, Repertoire, RepertoireLibrary, Segment, pack
+from components.repertoire_file import load
+
+School: TypeAlias = Callable[[int, RepertoireLibrary], Population]
 
 BODY = Body(
     station=(0.11, 0.28, 0.47, 0.66, 0.82),
@@ -55,39 +62,23 @@ def _segment(
     )
 
 
-def synthetic_segments() -> tuple[Segment, ...]:
-    """Return the five segments of the synthetic swimmer."""
-    return (
-        _segment(Pattern.SWIM_SLOW, 24, 0.9, 0.12, 1, 0.0),
-        _segment(Pattern.SWIM_MEDIUM, 15, 2.0, 0.18, 1, 0.0),
-        _segment(Pattern.SWIM_FAST, 10, 3.2, 0.2, 1, 0.0),
-        _segment(Pattern.TURN_LEFT, 45, 1.6, 0.25, 0.75, 0.9),
-        _segment(Pattern.TURN_RIGHT, 45, 1.6, 0.25, 0.75, -0.9),
-    )
-
-
-def library_of(segments: tuple[Segment, ...]) -> RepertoireLibrary:
-    """Return one species' library."""
-    length = np.array([len(s.translation) for s in segments], np.int32)
-    start = np.concatenate([[0], np.cumsum(length)[:-1]]).astype(np.int32)
-    return RepertoireLibrary(
-        rotation=np.concatenate([s.rotation for s in segments]),
-        translation=np.concatenate([s.translation for s in segments]),
-        shape=np.concatenate([s.shape for s in segments]),
-        start=start,
-        length=length,
-        loops=np.array([s.loops for s in segments], np.int8),
-        pattern=np.array([s.pattern for s in segments], np.int8),
-        segment=np.arange(5, dtype=np.int32)[None],
-        speed=np.array([60 * s.translation[:, 0].mean() for s in segments]),
-        turn=np.array([0.0, 0.0, 0.0, 0.9, -0.9]),
+def synthetic() -> Repertoire:
+    """Return the synthetic swimmer's repertoire; right turns mirror the left one."""
+    return Repertoire(
+        (
+            _segment(Pattern.SWIM_SLOW, 24, 0.9, 0.12, 1, 0.0),
+            _segment(Pattern.SWIM_MEDIUM, 15, 2.0, 0.18, 1, 0.0),
+            _segment(Pattern.SWIM_FAST, 10, 3.2, 0.2, 1, 0.0),
+            _segment(Pattern.TURN_LEFT, 45, 1.6, 0.25, 0.75, 0.9),
+        ),
+        {},
     )
 
 
 @pytest.fixture(scope="session")
 def library() -> RepertoireLibrary:
     """The synthetic swimmer's library."""
-    return library_of(synthetic_segments())
+    return pack([synthetic()])
 
 
 def swimmers(count: int, library: RepertoireLibrary) -> Population:
@@ -107,6 +98,19 @@ def swimmers(count: int, library: RepertoireLibrary) -> Population:
 
 
 @pytest.fixture(scope="session")
-def school(library: RepertoireLibrary) -> Callable[[int], Population]:
-    """Make so many swimmers of the synthetic library."""
-    return lambda count: swimmers(count, library)
+def school() -> School:
+    """Make so many swimmers of a library."""
+    return swimmers
+
+
+@pytest.fixture(scope="session")
+def captured(installed: Path) -> RepertoireLibrary:
+    """The shipped repertoires of sardine and blue tang, in this order."""
+    folder = installed / "assets" / "repertoires"
+    return pack([load(folder / f"{name}.npz") for name in ("sardine", "blue_tang")])
+
+
+@pytest.fixture(scope="session")
+def sea() -> Terrain:
+    """A wide sea, 60 m deep, without rocks."""
+    return build_terrain(500.0, 60.0, 0.5, 20.0, 1)
