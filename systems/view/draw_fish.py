@@ -18,7 +18,7 @@ from components.repertoire import RepertoireLibrary
 from components.species import Species
 from systems.view.context import ensure_context
 from systems.view.cull import RECORD, Culling, view_of
-from systems.view.fish_surface import WINDOW, Level, levels_of
+from systems.view.fish_levels import WINDOW, Level, levels_of
 from systems.view.program import load_program, uniform_location
 from systems.view.skin_texture import SIZE, paint_skin
 

@@ -60,8 +60,8 @@ void main() {
     vec3 around = mix(vec3(.02, .09, .14), vec3(.86, 1.06, 1.10), sky) * (light.g * .5 + .3);
     float shine = tint.w;
     vec3 film = .5 + .5 * cos(vec3(0., 1.6, 3.4) + 7. * facing + 5. * skin_at.y);   // thin layers of guanine
-    vec3 lit = albedo * light * (1. - .5 * shine);
-    lit += around * mix(vec3(.05), (.05 + 1.3 * albedo) * mix(vec3(1.), .7 + .6 * film, .5), shine) * (shine * .75 + rim * (.2 + .5 * shine));
+    vec3 lit = albedo * light * (1. - .6 * shine);
+    lit += around * mix(vec3(.05), (.05 + 1.3 * albedo) * mix(vec3(1.), .7 + .6 * film, .5), shine) * (shine * .85 + rim * (.2 + .5 * shine));
     lit += SUN_COLOUR * sun.w * min(light.g, 1.6) * (pow(glint, 22.) * (.07 + .45 * shine) + pow(glint, 120.) * (.22 + 1.3 * shine));
     colour = vec4(graded(through_water(lit, world)), 1.);
 #endif

@@ -1,4 +1,4 @@
-// A fish from its nodes: 23 nodes blended between two ticks and two motions, then weights (systems/view/fish_surface.py).
+// A fish from its nodes: 23 nodes blended between two ticks and two motions, then weights (systems/view/fish_levels.py).
 #include "frame.glsl"
 layout(location = 0) in float vertex;   // of the species' table
 layout(location = 1) in vec4 place;     // origin [m], w length [m]

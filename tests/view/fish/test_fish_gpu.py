@@ -24,7 +24,8 @@ from components.fish import Population
 from systems.motor.pose import pose
 from systems.view.cull import RECORD
 from systems.view.draw_fish import DrawFish, wrapped
-from systems.view.fish_surface import COUNT_STEP, PECTORAL, levels_of
+from systems.view.fish_levels import COUNT_STEP, levels_of
+from systems.view.fish_surface import PECTORAL
 from systems.view.frame import FrameBlock, Look
 from systems.view.program import shader_source
 from systems.view.target import Target, start_drawing

@@ -13,14 +13,8 @@ from components.species import Species
 from systems.view.bspline import basis, greville, slope
 from systems.view.fish_fins import CLOSE, fins_of
 from systems.view.fish_lattice import lattice_of
-from systems.view.fish_surface import (
-    AROUND,
-    COUNT_STEP,
-    Level,
-    body_side,
-    control_points,
-    levels_of,
-)
+from systems.view.fish_levels import COUNT_STEP, Level, levels_of
+from systems.view.fish_surface import AROUND, body_side, control_points
 
 Bend = Callable[[Body], Float64s]
 MIRROR = np.array([0] + [4 * r + 1 + s for r in range(5) for s in (1, 0, 3, 2)] + [21, 22])
