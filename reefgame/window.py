@@ -53,25 +53,28 @@ def play(
     Raise ContentError where level or mods are at fault, InputError where there is no display or no
     OpenGL, or where `record` cannot be written.
     """
-    cards, start, paths = _levels(level, mods)
     window = open_window(size or SIZE)
+    game = new_game(level, mods, secrets.randbelow(_SEEDS) if seed is None else seed, record)
+    view = GameWindow(window, game)
+    view.announce("filling the sea ...")
+    game.to_title()
+    view.run()
+    return 0
+
+
+def new_game(
+    level: str | None, mods: Sequence[Path] = (), seed: int = 0, record: Path | None = None
+) -> "Game":
+    """Return a game with `level` chosen and its title not yet open. Raise ContentError."""
     from reefgame.screens.game import Game
     from reefgame.screens.title import TitleScreen
 
-    game = Game(
-        cards,
-        lambda name: _load(paths.get(name, name), mods),
-        start,
-        secrets.randbelow(_SEEDS) if seed is None else seed,
-        record,
-    )
-    view = GameWindow(window, game)
-    view.announce("filling the sea ...")
+    cards, start, paths = _levels(level, mods)
+    game = Game(cards, lambda name: _load(paths.get(name, name), mods), start, seed, record)
     game.to_title = lambda: game.stack.replace(lambda: TitleScreen(game))
-    game.to_title()
-    _warn(game)
-    view.run()
-    return 0
+    for message in game.messages:
+        complain(message)
+    return game
 
 
 def _load(level: str, mods: Sequence[Path]) -> Content:
@@ -120,11 +123,6 @@ def _levels(
             continue
         cards.append(LevelCard(name, found.title, found.brief))
     return cards, start, {start: asked}
-
-
-def _warn(game: "Game") -> None:
-    for message in game.messages:
-        complain(message)
 
 
 def open_window(size: tuple[int, int], headless: bool = False) -> Any:

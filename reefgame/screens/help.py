@@ -24,6 +24,7 @@ class HelpScreen(OverlayScreen):
 
     name = "help"
     headline = "Controls"
+    card_width = 560.0
     body_height = 28.0 * len(CONTROLS) + 12.0
 
     def __init__(self, game: Game) -> None:
@@ -35,7 +36,7 @@ class HelpScreen(OverlayScreen):
         for at, (keys, deed) in enumerate(CONTROLS):
             y = top - (28 * at + 14) * u
             self.canvas.text(keys, left, y, theme.SMALL, theme.SUNLIT, order=1)
-            self.canvas.text(deed, left + 0.46 * width, y, theme.SMALL, theme.FOAM, order=1)
+            self.canvas.text(deed, left + 0.42 * width, y, theme.SMALL, theme.FOAM, order=1)
 
     def pressed(self, name: str) -> None:
         """Go back, also by the key that opened it."""

@@ -196,7 +196,7 @@ class Hud:
         self._shots = canvas.text(
             "", right - 14 * u, top - 42 * u, theme.SMALL, theme.MIST, "right baseline", order=1
         )
-        self._prompt = Banner(canvas, canvas.height - 95 * u, theme.BODY, theme.FOAM)
+        self._prompt = Banner(canvas, canvas.height - 112 * u, theme.BODY, theme.FOAM)
         self._message = Banner(canvas, canvas.height * 0.66, theme.LARGE, theme.SUNLIT)
 
     def _corner(self, canvas: Canvas) -> Text:

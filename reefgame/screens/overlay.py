@@ -7,15 +7,14 @@ from reefgame.screens.game import Game
 from reefgame.screens.menu import BACK, Item, Menu
 from reefgame.screens.screen import Screen
 
-WIDTH = 460
-"""Units that a card is wide."""
-
 
 class OverlayScreen(Screen):
     """A dimmed sea, a headline, room for more, and a menu below."""
 
     overlay = True
     headline = ""
+    card_width = 440.0
+    "units"
     body_height = 0.0
     "units between the headline and the menu"
 
@@ -27,7 +26,7 @@ class OverlayScreen(Screen):
         """Centre the card."""
         c, u = self.canvas, self.canvas.unit
         c.panel(0, 0, c.width, c.height, (2, 14, 24, 120), bottom=(2, 10, 18, 170))
-        width = min(WIDTH * u, c.width - 24 * u)
+        width = min(self.card_width * u, c.width - 24 * u)
         rows = Menu.height(len(self.menu.items), u)
         height = rows + (self.body_height + 92) * u
         left, low = 0.5 * (c.width - width), 0.5 * (c.height - height)

@@ -102,9 +102,9 @@ class Stage:
         if tall == height and not self._drawing.samples:
             self._scene.draw(camera, self.alpha, width, height, self.seconds)
             return
-        target = self._sized(max(1, width * tall // height), tall)
         window = c_int()
         gl.glGetIntegerv(gl.GL_DRAW_FRAMEBUFFER_BINDING, window)
+        target = self._sized(max(1, width * tall // height), tall)
         target.bind()
         self._scene.draw(camera, self.alpha, target.width, target.height, self.seconds)
         target.show(window.value, width, height)
