@@ -82,15 +82,16 @@ def local(path: Path, kind: str, known: Catalogue) -> tuple[Catalogue, str]:
     A species that it is like may lie beside it. Raise ContentError.
     """
     trial = known.copy()
-    home = replace(known.mods[BASE], root=path.parent.resolve(), repertoires=path.parent)
+    beside = path.parent
+    home = replace(known.mods[BASE], root=beside.resolve(), repertoires=beside / "repertoires")
     changed = read(path).keys.get("overrides")
     if changed is not None:
         raise changed.error("only a file in a mod overrides: put it into the mod's folder")
     definition = trial.add_file(kind, home, path)
     like = definition.tree.items.get("like")
     while isinstance(like, Scalar) and isinstance(like.value, str):
-        beside = path.parent / f"{like.value}.yaml"
-        if like.value in trial.species or name_problem(like.value) or not beside.is_file():
+        parent = beside / f"{like.value}.yaml"
+        if like.value in trial.species or name_problem(like.value) or not parent.is_file():
             break
-        like = trial.add_file(kind, home, beside).tree.items.get("like")
+        like = trial.add_file(kind, home, parent).tree.items.get("like")
     return trial, definition.name

@@ -39,6 +39,8 @@ class Definition:
     tree: Mapping
     repertoire: Path
     "where the mod would ship its motion"
+    root: Path
+    "what that may not lead out of"
 
 
 @dataclass
@@ -81,7 +83,7 @@ class Catalogue:
         tree = read(path)
         name = path.stem if mod.id == BASE else f"{mod.id}:{path.stem}"
         repertoire = mod.repertoires / f"{path.stem}.npz"
-        definition = Definition(name, mod.id, path, tree, repertoire)
+        definition = Definition(name, mod.id, path, tree, repertoire, mod.root)
         self.owner[tree.mark.file] = mod.id
         changed = tree.items.get("overrides")
         if changed is None:

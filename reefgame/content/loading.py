@@ -135,7 +135,7 @@ def repertoires(
     for index, (name, file) in enumerate(files.items()):
         origins = known.origins(name)
         for origin in origins:
-            check_inside(origin.repertoire, known.mods[origin.mod].root)
+            check_inside(origin.repertoire, origin.root)
         found[name] = repertoire_of(
             body_of(file),
             swim_of(file),

@@ -47,8 +47,8 @@ def repertoire_of(
             return found
     try:
         captured = capture(body, swim, progress)
-    except ValueError as error:
-        raise origin.error(f"this body does not swim: {error}") from None
+    except (ValueError, ArithmeticError) as error:
+        raise origin.error(f"no motion can be captured for this body: {error}") from None
     with suppress(OSError):
         kept.parent.mkdir(parents=True, exist_ok=True)
         save(kept, captured)

@@ -14,7 +14,7 @@ import assets
 import levels
 from components.mind import Role
 from components.skin import Gradient, Scales, Spots, Stripes
-from reefgame.content import ContentError, check, json_schema, load, new, read_species
+from reefgame.content import ContentError, check, json_schema, load, load_species, new, read_species
 from reefgame.content.assembly import catalogue
 
 Write = Callable[[str, str | bytes], Path]
@@ -129,6 +129,26 @@ def test_a_repertoire_linked_out_of_the_mod_is_refused(
             "a/repertoires/sardine.npz:1:1: "
             "this leads out of the mod: only files inside it are allowed"
         )
+    ]
+
+
+def test_a_loose_species_swims(write: Write) -> None:
+    species = load_species(write("kin.yaml", "like: sardine\ntitle: Kin\n"))
+    base = load_species("sardine")
+    assert (species.name, species.title, base.title) == ("kin", "Kin", "Sardine")
+    assert species.repertoire.provenance == base.repertoire.provenance
+
+
+def test_a_body_that_does_not_swim_is_one_clear_line(
+    write: Write, lines: Lines, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def sink(*arguments: object) -> None:
+        raise ValueError("it sinks")
+
+    monkeypatch.setattr("tools.capture.capture.capture", sink)
+    path = write("stone.yaml", "like: sardine\nswim:\n  lag_deg: 1.25\n")
+    assert lines(lambda: load_species(path)) == [
+        "stone.yaml:3:3: no motion can be captured for this body: it sinks"
     ]
 
 
