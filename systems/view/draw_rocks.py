@@ -20,7 +20,7 @@ LUMPS: Final = 0.08
 """Largest deviation from the ellipsoid, in radii."""
 SUBDIVISIONS: Final = (4, 3, 2)
 """How often the octahedron is split at each level of detail, the closest first."""
-PIXELS: Final = (150.0, 40.0)
+PIXELS: Final = (110.0, 18.0)
 """[px] of radius on the target above which the first and the second level are drawn."""
 
 

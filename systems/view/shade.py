@@ -27,8 +27,10 @@ def ground_light(points: Float64s, terrain: Terrain, sun: Float64s) -> Float64s:
     """Return how much sky and how much sun reach `points` [m], (n, 3): 0 to 1, (n, 2)."""
     sky = np.ones(len(points))
     lit = np.ones(len(points))
+    # A shadow is as long as the rock is high, slanted as the light is.
+    slant = float(np.hypot(sun[0], sun[1]) / max(sun[2], 0.1))
     for rock in range(len(terrain.rock_radii)):
-        reach = 8.0 * float(terrain.rock_radii[rock].max())
+        reach = (1.7 + 2.4 * slant) * float(terrain.rock_radii[rock].max())
         away = np.abs(points[:, :2] - terrain.rock_centre[rock, :2]).max(axis=1)
         near = np.flatnonzero(away < reach)
         at = in_rock_axes(points[near], terrain, rock)
