@@ -5,22 +5,24 @@ come first, then fins, blended, from the farthest to the nearest.
 """
 
 from collections.abc import Sequence
-from ctypes import byref, c_int, c_uint, c_void_p
+from ctypes import byref, c_int, c_uint
 from typing import Any, Final
 
 import numpy as np
 
-from components.arrays import AnyArray, Float32s
+from components.arrays import Float32s
 from components.body import NODES
 from components.camera import Camera
 from components.fish import Population
 from components.repertoire import RepertoireLibrary
 from components.species import Species
 from systems.view.context import ensure_context
-from systems.view.cull import RECORD, Culling, view_of
+from systems.view.cull import Culling, view_of
 from systems.view.fish_levels import WINDOW, Level, levels_of
+from systems.view.fish_mesh import FishMesh
 from systems.view.program import load_program, uniform_location
-from systems.view.skin_texture import SIZE, paint_skin
+from systems.view.skin_canvas import SIZE
+from systems.view.skin_texture import paint_skin
 
 SHAPES_UNIT, WEIGHTS_UNIT, SKINS_UNIT = 0, 1, 2
 _SMALLEST_MIP: Final = 5
@@ -69,7 +71,7 @@ class DrawFish:
         self._upload_weights(levels, side)
         self._upload_skins(species)
         self._programs = [self._program(defines, side) for defines in _PASSES]
-        self._meshes = [Mesh(level, start) for level, start in self._starts(levels[0])]
+        self._meshes = [FishMesh(level, start) for level, start in self._starts(levels[0])]
 
     def draw(
         self,
@@ -235,65 +237,6 @@ class DrawFish:
     def _starts(levels: Sequence[Level]) -> list[tuple[Level, int]]:
         starts = np.cumsum([0, *(len(level.table) for level in levels)])
         return list(zip(levels, starts[:-1].tolist(), strict=True))
-
-
-class Mesh:
-    """One level's triangles and the records of the fishes drawn with it."""
-
-    def __init__(self, level: Level, start: int) -> None:
-        from pyglet import gl
-
-        self._array, self._buffers, self._count = c_uint(), (c_uint * 3)(), 0
-        self._body, self._fins = level.body.size, level.fins.size
-        gl.glGenVertexArrays(1, byref(self._array))
-        gl.glGenBuffers(3, self._buffers)
-        gl.glBindVertexArray(self._array)
-        numbers = np.arange(start, start + len(level.table), dtype=np.float32)
-        triangles = np.concatenate((level.body.ravel(), level.fins.ravel()))
-        self._fill(gl.GL_ARRAY_BUFFER, 0, numbers)
-        gl.glEnableVertexAttribArray(0)
-        gl.glVertexAttribPointer(0, 1, gl.GL_FLOAT, gl.GL_FALSE, 0, c_void_p(0))
-        self._fill(gl.GL_ELEMENT_ARRAY_BUFFER, 1, triangles)
-        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[2])
-        for k in range(RECORD // 4):
-            gl.glEnableVertexAttribArray(1 + k)
-            place = c_void_p(16 * k)
-            gl.glVertexAttribPointer(1 + k, 4, gl.GL_FLOAT, gl.GL_FALSE, 4 * RECORD, place)
-            gl.glVertexAttribDivisor(1 + k, 1)
-        gl.glBindVertexArray(0)
-
-    def upload(self, records: Float32s) -> None:
-        """Take the records (n, 20) of the fishes to draw."""
-        from pyglet import gl
-
-        self._count = len(records)
-        if self._count:
-            gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[2])
-            data = records.ctypes.data
-            gl.glBufferData(gl.GL_ARRAY_BUFFER, records.nbytes, data, gl.GL_STREAM_DRAW)
-
-    def draw(self, fins: bool) -> None:
-        """Draw the fins or the bodies of all fishes taken."""
-        from pyglet import gl
-
-        gl.glBindVertexArray(self._array)
-        size, start = (self._fins, self._body) if fins else (self._body, 0)
-        gl.glDrawElementsInstanced(
-            gl.GL_TRIANGLES, size, gl.GL_UNSIGNED_INT, c_void_p(4 * start), self._count
-        )
-
-    def delete(self) -> None:
-        """Free the buffers."""
-        from pyglet import gl
-
-        gl.glDeleteBuffers(3, self._buffers)
-        gl.glDeleteVertexArrays(1, byref(self._array))
-
-    def _fill(self, target: int, buffer: int, values: AnyArray) -> None:
-        from pyglet import gl
-
-        gl.glBindBuffer(target, self._buffers[buffer])
-        gl.glBufferData(target, values.nbytes, values.ctypes.data, gl.GL_STATIC_DRAW)
 
 
 def _viewport_aspect() -> float:

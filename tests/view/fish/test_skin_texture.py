@@ -10,7 +10,8 @@ from components.skin import Eye, Gradient, Patch, Scales, Skin, Spots, Stripes
 from components.species import Species
 from systems.view.fish_fins import CAUDAL_BOX
 from systems.view.fish_surface import BODY_BOX
-from systems.view.skin_texture import SIZE, Texels, paint_skin
+from systems.view.skin_canvas import SIZE
+from systems.view.skin_texture import Texels, paint_skin
 
 RED, WHITE, BLACK = (0.8, 0.1, 0.1), (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
 BODY = Body(
