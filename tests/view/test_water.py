@@ -78,8 +78,8 @@ def test_the_surface_is_above_and_the_sand_below(sea: Sea, level_camera: Camera)
     picture = sea.picture(level_camera)
     top, water, bottom = picture[:10], picture[22:28], picture[-10:]
     assert brightness(top) > 1.1 * brightness(water)
-    assert mean(bottom)[0] > 3.0 * mean(water)[0]
-    assert mean(water)[2] > 3.0 * mean(water)[0]
+    assert mean(bottom)[0] > 2.0 * mean(water)[0]
+    assert mean(water)[2] > 2.0 * mean(water)[0]
 
 
 def test_a_rock_on_the_right_is_drawn_on_the_right(sea: Sea, level_camera: Camera) -> None:

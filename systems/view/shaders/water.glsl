@@ -12,7 +12,7 @@ const vec3 ABOVE = vec3(.030, .230, .310);     // ... looking up
 const vec3 BELOW = vec3(.002, .030, .085);      // ... looking down
 const vec3 SUN_COLOUR = vec3(1.22, 1.12, .93);
 const vec3 SKY_COLOUR = vec3(.17, .33, .36);
-const vec3 SHAFT_COLOUR = vec3(.13, .36, .42);
+const vec3 SHAFT_COLOUR = vec3(.16, .45, .52);
 
 // A colour as artists give it (sRGB) in linear light.
 vec3 linear(vec3 colour) { return colour * colour; }
