@@ -15,13 +15,12 @@ import numpy as np
 from components.arrays import Float32s, Float64s, Int8s, Int32s
 from components.body import NODES
 from components.clock import TICK_SECONDS, Clock
-from components.confinement import confine
 from components.fish import FishTable, Population
-from components.ground import Terrain
 from components.kernels import inlined, loop, row
 from components.motor import MotorTable
 from components.repertoire import Pattern, RepertoireLibrary
 from components.rotation import set_axes, turned
+from components.terrain import Terrain, confine
 
 PARALLEL_FROM: Final = 500
 """Fishes from which two threads are worth their launch."""

@@ -10,10 +10,9 @@ import pytest
 from components.arrays import Float64s
 from components.body import Body, rest_nodes
 from components.fish import Population
-from components.ground import Terrain
-from components.landscape import build_terrain
 from components.repertoire import Pattern, Repertoire, RepertoireLibrary, Segment, pack
 from components.repertoire_file import load
+from components.terrain import Terrain, build_terrain
 
 School: TypeAlias = Callable[[int, RepertoireLibrary], Population]
 

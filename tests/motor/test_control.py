@@ -8,8 +8,8 @@ import pytest
 from components.arrays import Float64s
 from components.clock import Clock
 from components.fish import Population
-from components.ground import Terrain
 from components.repertoire import Pattern, RepertoireLibrary
+from components.terrain import Terrain
 from systems.motor.control import (
     MOOD_SPREAD,
     MOOD_TICKS,

@@ -8,8 +8,8 @@ import pytest
 from components.arrays import Float32s, Float64s
 from components.clock import Clock
 from components.fish import Population
-from components.ground import Terrain, ground_height
 from components.repertoire import Pattern, RepertoireLibrary
+from components.terrain import Terrain, ground_height
 from systems.motor.move import (
     MARGIN,
     SHORTEST_WARP,

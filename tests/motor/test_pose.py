@@ -8,8 +8,8 @@ import pytest
 from components.body import NODES
 from components.clock import Clock
 from components.fish import Population
-from components.ground import Terrain
 from components.repertoire import Pattern, RepertoireLibrary
+from components.terrain import Terrain
 from systems.motor.move import Move, bodies, motors, track
 from systems.motor.pose import pose, reconstruct, replay
 
