@@ -8,7 +8,7 @@ import os
 import secrets
 import sys
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final
@@ -20,6 +20,7 @@ from reefgame.content import Content, load
 from reefgame.content.catalogue import LEVEL
 from reefgame.content.errors import ContentError
 from reefgame.content.loading import find
+from reefgame.screens.level_card import LevelCard
 from reefgame.settings import Settings
 from systems.view.context import PACKAGES, choose_options, config
 from systems.view.target import UInt8s, write_png
@@ -27,7 +28,6 @@ from systems.view.target import UInt8s, write_png
 if TYPE_CHECKING:
     from reefgame.replay import Replay
     from reefgame.screens.game import Game
-    from reefgame.screens.level_card import LevelCard
     from reefgame.screens.screen import Screen
 
 SIZE: Final = (1280, 720)
@@ -38,6 +38,8 @@ _FRAMES_A_SECOND: Final = 120
 _FIRST_LEVEL: Final = "first_dive"
 _SAME_KEY: Final = {"return": "enter", "num_enter": "enter"}
 _SEEDS: Final = 2**31
+_LONGEST_FRAME: Final = 0.25
+"""[s] of a frame; more is dropped: the window was dragged, the machine slept."""
 _LEFT_BUTTON: Final = 1
 
 
@@ -53,8 +55,9 @@ def play(
     Raise ContentError where level or mods are at fault, InputError where there is no display or no
     OpenGL, or where `record` cannot be written.
     """
+    shelf = find_levels(level, mods)
     window = open_window(size or SIZE)
-    game = new_game(level, mods, secrets.randbelow(_SEEDS) if seed is None else seed, record)
+    game = new_game(shelf, secrets.randbelow(_SEEDS) if seed is None else seed, record)
     view = GameWindow(window, game)
     view.announce("filling the sea ...")
     game.to_title()
@@ -62,24 +65,16 @@ def play(
     return 0
 
 
-def new_game(
-    level: str | None, mods: Sequence[Path] = (), seed: int = 0, record: Path | None = None
-) -> "Game":
-    """Return a game with `level` chosen and its title not yet open. Raise ContentError."""
+def new_game(shelf: "Shelf", seed: int = 0, record: Path | None = None) -> "Game":
+    """Return a game with the shelf's level chosen and its title not yet open."""
     from reefgame.screens.game import Game
     from reefgame.screens.title import TitleScreen
 
-    cards, start, paths = _levels(level, mods)
-    game = Game(cards, lambda name: _load(paths.get(name, name), mods), start, seed, record)
+    game = Game(shelf.cards, shelf.load, shelf.start, seed, record)
     game.to_title = lambda: game.stack.replace(lambda: TitleScreen(game))
     for message in game.messages:
         complain(message)
     return game
-
-
-def _load(level: str, mods: Sequence[Path]) -> Content:
-    with progress_bar("loading") as report:
-        return load(level, mods=mods, progress=report)
 
 
 def watch(replay: "Replay", content: Content) -> int:
@@ -89,7 +84,6 @@ def watch(replay: "Replay", content: Content) -> int:
     """
     window = open_window(SIZE)
     from reefgame.screens.game import Game
-    from reefgame.screens.level_card import LevelCard
     from reefgame.screens.watch import WatchScreen
 
     level = content.level
@@ -102,12 +96,29 @@ def watch(replay: "Replay", content: Content) -> int:
     return 0
 
 
-def _levels(
-    level: str | None, mods: Sequence[Path]
-) -> tuple[list["LevelCard"], str, dict[str, str]]:
-    """Return the levels to list, the name of the one to begin with, and how it was asked for."""
-    from reefgame.screens.level_card import LevelCard
+@dataclass(frozen=True)
+class Shelf:
+    """The levels there are, and which of them to begin with."""
 
+    cards: tuple[LevelCard, ...]
+    start: str
+    "the full name of the level chosen"
+    asked: str
+    "what the player called it: a name or a file"
+    mods: tuple[Path, ...]
+
+    def load(self, name: str) -> Content:
+        """Return the content of the level `name`. Raise ContentError where it is at fault."""
+        with progress_bar("loading") as report:
+            wanted = self.asked if name == self.start else name
+            return load(wanted, mods=self.mods, progress=report)
+
+
+def find_levels(level: str | None, mods: Sequence[Path] = ()) -> Shelf:
+    """Return the levels to list, `level` chosen. Raise ContentError where it or a mod is at fault.
+
+    Another level that is at fault, and an installed mod that is, are left out and complained of.
+    """
     asked = level or _FIRST_LEVEL
     known, disabled, start = find(LEVEL, asked, mods)
     for mod in disabled:
@@ -122,7 +133,7 @@ def _levels(
             complain(str(error))
             continue
         cards.append(LevelCard(name, found.title, found.brief))
-    return cards, start, {start: asked}
+    return Shelf(tuple(cards), start, asked, tuple(mods))
 
 
 def open_window(size: tuple[int, int], headless: bool = False) -> Any:
@@ -258,7 +269,7 @@ class GameWindow:
     def on_draw(self) -> None:
         """Advance by the time since the last frame, and draw."""
         now = perf_counter()
-        seconds, self._last = now - self._last, now
+        seconds, self._last = min(now - self._last, _LONGEST_FRAME), now
         self.frame(seconds)
 
     def frame(self, seconds: float) -> None:

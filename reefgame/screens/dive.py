@@ -24,8 +24,8 @@ from systems.play.judge import viewfinder
 
 _FLASH_SECONDS = 0.35
 _PRINT_SECONDS = 4.0
-_APPLAUSE_SECONDS = 2.4
-"""Between success and the result screen."""
+_APPLAUSE = 140
+"""[ticks] between success and the result screen."""
 
 
 class DiveScreen(Screen):
@@ -48,7 +48,8 @@ class DiveScreen(Screen):
         self._saved = False
         self._message, self._message_age = "", 99.0
         self._since_shot = 99.0
-        self._since_win: float | None = None
+        self._won = 0
+        self._over = False
         self._before = Record()
         self._develop = False
         self._shots = 0
@@ -94,14 +95,11 @@ class DiveScreen(Screen):
         self.stage.advance(seconds, self.controls.command, self._after_tick)
         self._message_age += seconds
         self._since_shot += seconds
-        if self._since_win is not None:
-            self._since_win += seconds
-            if self._since_win > _APPLAUSE_SECONDS:
-                self._since_win = None
-                self.recording.close()
-                self.game.open(ResultScreen(self, self._result(won=True), self._before))
-                return
         self._show()
+        if self._won and not self._over and self.world.clock.now > self._won + _APPLAUSE:
+            self._over = True
+            self.recording.close()
+            self.game.open(ResultScreen(self, self._result(won=True), self._before))
 
     def _after_tick(self, command: Command) -> None:
         self.recording.tick(command)
@@ -123,7 +121,7 @@ class DiveScreen(Screen):
             trace("won")
             self._before = self.game.progress.record(self.world.level.name)
             self._save(won=True)
-            self._since_win = 0.0
+            self._won = self.world.clock.now
 
     def _tell(self, message: str) -> None:
         self._message, self._message_age = message, 0.0

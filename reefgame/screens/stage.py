@@ -21,8 +21,6 @@ from reefgame.settings import Settings
 from reefgame.world import World
 from systems.view.target import Target
 
-_LONGEST_FRAME: Final = 0.25
-"""[s] of a frame beyond which the rest is dropped: the window was dragged, the machine slept."""
 _SOFTWARE: Final = ("llvmpipe", "softpipe", "swrast", "swiftshader", "software")
 """What OpenGL calls itself where no graphics card draws."""
 
@@ -89,7 +87,6 @@ class Stage:
         after: Callable[[Command], None] = lambda _: None,
     ) -> None:
         """Take the ticks due after a frame of `seconds`: ask the pilot, tick, tell `after`."""
-        seconds = min(seconds, _LONGEST_FRAME)
         self.seconds += seconds
         for _ in range(self._step.ticks(seconds)):
             command = pilot()

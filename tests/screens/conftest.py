@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from reefgame.window import GameWindow, new_game, open_window
+from reefgame.window import GameWindow, find_levels, new_game, open_window
 
 EASY = Path(__file__).with_name("easy.yaml")
 
@@ -63,7 +63,7 @@ def window() -> Iterator[Any]:
 @pytest.fixture
 def player(window: Any, user_folders: Path) -> Iterator[Player]:
     """A game whose title is open; the level is easy to win."""
-    game = new_game(str(EASY), seed=1)
+    game = new_game(find_levels(str(EASY)), seed=1)
     view = GameWindow(window, game)
     game.to_title()
     yield Player(view)

@@ -240,11 +240,11 @@ def test_settings_with_mistakes_are_told_in_the_window(
     window: Any, user_folders: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     from reefgame.settings import settings_path
-    from reefgame.window import new_game
+    from reefgame.window import find_levels, new_game
 
     settings_path().parent.mkdir(parents=True)
     settings_path().write_text(json.dumps({"quality": "ultra"}))
-    game = new_game("first_dive", seed=1)
+    game = new_game(find_levels("first_dive"), seed=1)
     assert len(game.messages) == 1
     assert game.messages[0].startswith(f"{settings_path()}:1:2: quality must be")
     assert game.messages[0] in capsys.readouterr().err
