@@ -15,10 +15,11 @@ from components.repertoire import RepertoireLibrary, pack
 from components.species import Species
 from components.submarine import SubmarineTable
 from components.table import Table
-from components.terrain import Terrain, build_terrain, rock_on_ground
+from components.terrain import Terrain
 from components.trigonometry import DEGREE
 from reefgame.checksum import table_checksum
 from reefgame.content import Content
+from reefgame.content.level_checks import terrain_of
 from reefgame.content.schema.level import Level
 from reefgame.schedule import schedule, spawner
 from reefgame.snapshot import Snapshot
@@ -93,19 +94,8 @@ class World:
 def _terrain(content: Content) -> Terrain:
     level = content.level
     names = [species.name for species in content.species]
-    ground = build_terrain(
-        level.world.radius_m,
-        level.world.depth_m,
-        level.seabed.relief_m,
-        level.seabed.feature_m,
-        level.seabed.seed,
-    )
-    rocks = [
-        rock_on_ground(ground, rock.at_m, rock.radii_m, rock.yaw_deg, rock.buried)
-        for rock in level.rocks
-    ]
     homes = [(home.at_m, names.index(home.species)) for home in level.homes]
-    return ground.with_rocks(rocks).with_homes(homes)
+    return terrain_of(level).with_homes(homes)
 
 
 def _cohorts(content: Content) -> CohortTable:
