@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from components.arrays import Float64s, Int32s
-from components.kernels import row
+from components.kernels import inlined, row
 from components.rocks import ROCK_REACH, SQUARE, Rock, list_rocks, pack_rocks
 
 
@@ -75,7 +75,7 @@ class Terrain(NamedTuple):
         )
 
 
-@row
+@inlined
 def ground(
     height: Float64s, extent: float, cell: float, x: float, y: float
 ) -> tuple[float, float, float]:
@@ -92,7 +92,7 @@ def ground(
     return low + v * (high - low), dx, (high - low) / cell
 
 
-@row
+@inlined
 def ground_height(height: Float64s, extent: float, cell: float, x: float, y: float) -> float:
     """Return the ground's z [m] at (x, y): continuous, and the same that the view draws."""
     return ground(height, extent, cell, x, y)[0]
@@ -118,7 +118,7 @@ def rock_distance(terrain: Terrain, rock: int, x: float, y: float, z: float) -> 
     return rock_clearance(terrain, rock, x, y, z)[0]
 
 
-@row
+@inlined
 def rock_clearance(
     terrain: Terrain, rock: int, x: float, y: float, z: float
 ) -> tuple[float, float, float, float]:
@@ -135,7 +135,7 @@ def rock_clearance(
     return k0 * (k0 - 1.0) / k1, nx, ny, gw / k1
 
 
-@row
+@inlined
 def to_rock(
     terrain: Terrain, rock: int, x: float, y: float, z: float
 ) -> tuple[float, float, float]:
@@ -145,7 +145,7 @@ def to_rock(
     return cosine * dx + sine * dy, cosine * dy - sine * dx, z - terrain.rock_centre[rock, 2]
 
 
-@row
+@inlined
 def rock_square(terrain: Terrain, x: float, y: float) -> int:
     """Return the square whose list of rocks serves (x, y)."""
     last = terrain.rock_squares - 1
@@ -154,7 +154,7 @@ def rock_square(terrain: Terrain, x: float, y: float) -> int:
     return i * terrain.rock_squares + j
 
 
-@row
+@inlined
 def _beyond(terrain: Terrain, rock: int, x: float, y: float, z: float, within: float) -> bool:
     """Return whether a rock is surely farther than `within` [m], by the sphere around it."""
     dx, dy = x - terrain.rock_centre[rock, 0], y - terrain.rock_centre[rock, 1]

@@ -3,10 +3,10 @@
 from math import sqrt
 
 from components.arrays import Float64s
-from components.kernels import row
+from components.kernels import inlined
 
 
-@row
+@inlined
 def point(out: Float64s, x: float, y: float, z: float) -> None:
     """Write the unit vector along (x, y, z) into `out`, (3,); leave it where there is no length."""
     size = sqrt(x * x + y * y + z * z)
@@ -14,7 +14,7 @@ def point(out: Float64s, x: float, y: float, z: float) -> None:
         out[0], out[1], out[2] = x / size, y / size, z / size
 
 
-@row
+@inlined
 def level_off(out: Float64s, steepest: float) -> None:
     """Turn the unit vector `out`, (3,), so that |z| is at most `steepest`, its bearing kept."""
     if -steepest <= out[2] <= steepest:

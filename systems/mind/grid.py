@@ -17,7 +17,7 @@ import numpy as np
 from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.fish import Population
 from components.ground import Terrain
-from components.kernels import loop, row
+from components.kernels import inlined, loop, row
 from components.senses import SenseTable
 
 REACH: Final = 1.8
@@ -104,7 +104,7 @@ def divide(terrain: Terrain, senses: SenseTable, counts: Int64s) -> Plan:
     )
 
 
-@row
+@inlined
 def _place(at: float, extent: float, cell: float, last: int) -> int:
     return min(max(int((at + extent) / cell), 0), last)
 

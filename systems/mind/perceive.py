@@ -11,7 +11,7 @@ import numpy as np
 
 from components.arrays import Float64s, Int32s, Int64s
 from components.ground import Terrain, clearance
-from components.kernels import row
+from components.kernels import inlined
 from systems.mind.grid import FIXED, PIECES, Crowd, Plan
 
 NEIGHBOURS: Final = 8
@@ -64,14 +64,14 @@ def make_attention() -> Attention:
     )
 
 
-@row
+@inlined
 def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) -> bool:
     """Return whether what lies at the offset (dx, dy, dz) is within the 300 degree cone around h."""
     along = dx * hx + dy * hy + dz * hz
     return bool(along >= 0.0 or along * along < _BLIND * (dx * dx + dy * dy + dz * dz))
 
 
-@row
+@inlined
 def _first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
     """Return the first place in begin..end whose layer is at least `value`."""
     while begin < end:
@@ -83,7 +83,7 @@ def _first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
     return begin
 
 
-@row
+@inlined
 def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -> int:
     """Write begin and end of each run of fishes in the 27 cells around a cell; return how many."""
     cx, cy = column // plan.columns, column % plan.columns
@@ -100,7 +100,7 @@ def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -
     return found
 
 
-@row
+@inlined
 def _keep_nearest(
     crowd: Crowd, other: int, square: float, near: Int64s, distance: Float64s, found: int
 ) -> int:
@@ -120,7 +120,7 @@ def _keep_nearest(
     return kept
 
 
-@row
+@inlined
 def collision(crowd: Crowd, me: int, other: int) -> float:
     """Return the time [s] in which two fishes come too near each other, or NO_DANGER."""
     dx, dy, dz = (
@@ -141,7 +141,7 @@ def collision(crowd: Crowd, me: int, other: int) -> float:
     return when if dx * dx + dy * dy + dz * dz < room * room else NO_DANGER
 
 
-@row
+@inlined
 def watch(
     crowd: Crowd,
     me: int,
@@ -185,7 +185,7 @@ def watch(
     return found, threat, soonest
 
 
-@row
+@inlined
 def see_shoal(plan: Plan, crowd: Crowd, me: int, sight: float, shoal: Float64s) -> float:
     """Write offset [m] and mean heading of one's own kind over nine squares, (6,); return how many.
 
@@ -228,7 +228,7 @@ def see_shoal(plan: Plan, crowd: Crowd, me: int, sight: float, shoal: Float64s) 
     return float(number)
 
 
-@row
+@inlined
 def feel_ahead(terrain: Terrain, crowd: Crowd, me: int, within: float, out: Float64s) -> float:
     """Write the unit way out of the nearest obstacle at the antenna, (3,); return its distance [m].
 
@@ -252,7 +252,7 @@ def feel_ahead(terrain: Terrain, crowd: Crowd, me: int, within: float, out: Floa
     return best
 
 
-@row
+@inlined
 def meet_submarine(
     crowd: Crowd, me: int, position: Float64s, velocity: Float64s, number: int, away: Float64s
 ) -> float:

@@ -14,7 +14,7 @@ from components.chance import WANDER, uniform
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
 from components.ground import Terrain, ground_height
-from components.kernels import loop, row
+from components.kernels import inlined, loop, row
 from components.mind import SUBMARINE
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
@@ -77,7 +77,7 @@ class Scene(NamedTuple):
     submarines: int
 
 
-@row
+@inlined
 def _liked_depth(scene: Scene, me: int) -> tuple[float, float]:
     """Return the lowest and highest z [m] that the fish likes where it is."""
     crowd, terrain, kind = scene.crowd, scene.terrain, scene.crowd.species[me]
@@ -90,7 +90,7 @@ def _liked_depth(scene: Scene, me: int) -> tuple[float, float]:
     return low, high
 
 
-@row
+@inlined
 def _stay_in_range(scene: Scene, me: int, low: float, high: float, out: Float64s) -> None:
     """Lean the wanted direction towards the liked depth and away from the rim."""
     crowd, radius = scene.crowd, scene.terrain.radius
@@ -106,7 +106,7 @@ def _stay_in_range(scene: Scene, me: int, low: float, high: float, out: Float64s
         out[1] -= push * y / radius
 
 
-@row
+@inlined
 def _wander(
     scene: Scene, me: int, minds: Minds, away: Float64s, out: Float64s
 ) -> tuple[int, float]:
@@ -126,25 +126,26 @@ def _wander(
     return gear, urgency
 
 
-@row
+@inlined
 def _school(
     scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, found: int, number: float
 ) -> tuple[int, float]:
     """School among the neighbours seen; return gear and urgency."""
     crowd, i = scene.crowd, scene.crowd.row[me]
-    x, y = roam(scene.seed, minds.cohort[i], scene.now, scene.terrain.radius)
+    low, high = _liked_depth(scene, me)
+    x, y, up = roam(scene.seed, minds.cohort[i], scene.now, scene.terrain.radius)
+    spacing = scene.senses.spacing[crowd.species[me]] * crowd.length[me]
     out = attention.out[piece]
     gear, urgency = school(
         crowd, me, attention.near[piece], attention.distance[piece], found, attention.shoal[piece],
-        number, scene.senses.spacing[crowd.species[me]] * crowd.length[me], x, y, minds.gear[i], out,
+        number, spacing, x, y, low + up * (high - low), minds.gear[i], out,
     )  # fmt: skip
-    low, high = _liked_depth(scene, me)
     _stay_in_range(scene, me, low, high, out)
     out[2] *= 0.7
     return gear, urgency
 
 
-@row
+@inlined
 def _decide(
     scene: Scene, me: int, minds: Minds, obstacle: float, threat: bool, company: bool
 ) -> int:
@@ -158,7 +159,7 @@ def _decide(
     return intention
 
 
-@row
+@inlined
 def think_one(
     scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, number_of_runs: int
 ) -> None:

@@ -13,7 +13,7 @@ import numba
 from components.arrays import Float64s, Int32s
 from components.fish import Population
 from components.ground import Terrain, clearance
-from components.kernels import loop, row
+from components.kernels import inlined, loop, row
 from components.senses import SenseTable
 from components.vector import point
 
@@ -38,7 +38,7 @@ class Swimmers(NamedTuple):
     urgency: Float64s
 
 
-@row
+@inlined
 def turn_inward(
     terrain: Terrain, x: float, y: float, z: float, room: float, heading: Float64s
 ) -> float:

@@ -10,7 +10,7 @@ from typing import Final
 
 from components.arrays import Float64s, Int64s
 from components.chance import WANDER, uniform
-from components.kernels import row
+from components.kernels import inlined, row
 from systems.mind.grid import Crowd
 
 ROAM_TICKS: Final = 3600
@@ -18,7 +18,10 @@ ROAM_TICKS: Final = 3600
 
 _NEAREST: Final = 0.25
 _FARTHEST: Final = 0.6
+_LOW: Final = 0.15
+_HIGH: Final = 0.7
 _ROAM_FADES: Final = 8.0
+_RISE_FADES: Final = 3.0
 _SEPARATION: Final = 2.2
 _ELBOW: Final = 1.4
 _ALIGNMENT: Final = 1.0
@@ -32,10 +35,11 @@ _SETTLED: Final = 0.15
 
 
 @row
-def roam(seed: int, cohort: int, now: int, radius: float) -> tuple[float, float]:
-    """Return the place (x, y) [m] to which a cohort travels in the tick `now`.
+def roam(seed: int, cohort: int, now: int, radius: float) -> tuple[float, float, float]:
+    """Return the place to which a cohort travels in the tick `now`: x and y [m], and its height.
 
-    Places follow each other a quarter turn on around the reef; chance says how far out.
+    Places follow each other a quarter turn on around the reef; chance says how far out, and how high
+    between the lowest, 0, and the highest, 1, water that the species likes.
     """
     turn = (now + 997 * cohort) // ROAM_TICKS
     way = 1 if uniform(seed, WANDER, 0, -1 - cohort) < 0.5 else -1
@@ -46,10 +50,11 @@ def roam(seed: int, cohort: int, now: int, radius: float) -> tuple[float, float]
     aside = radius * _NEAREST * (2.0 * v - 1.0)
     if corner & 1:
         out, aside = aside, out
-    return (out, aside) if corner < 2 else (-out, -aside)
+    up = _LOW + (_HIGH - _LOW) * uniform(seed, WANDER, -turn, -1 - cohort)
+    return (out, aside, up) if corner < 2 else (-out, -aside, up)
 
 
-@row
+@inlined
 def _gear(previous: int, along: float) -> int:
     """Return the gear of a fish whose neighbours lie `along` [BL] ahead of it on average."""
     if along > _BEHIND or (previous == 2 and along > _SETTLED):
@@ -59,7 +64,7 @@ def _gear(previous: int, along: float) -> int:
     return 1
 
 
-@row
+@inlined
 def school(
     crowd: Crowd,
     me: int,
@@ -71,6 +76,7 @@ def school(
     spacing: float,
     place_x: float,
     place_y: float,
+    place_z: float,
     previous_gear: int,
     out: Float64s,
 ) -> tuple[int, float]:
@@ -109,6 +115,7 @@ def school(
     dx, dy = place_x - crowd.x[me], place_y - crowd.y[me]
     far = sqrt(dx * dx + dy * dy) + 1e-9
     pull = _ROAM * min(far / _ROAM_FADES, 1.0) / far
-    out[0], out[1], out[2] = x + pull * dx, y + pull * dy, z
+    rise = _ROAM * min(max((place_z - crowd.z[me]) / _RISE_FADES, -1.0), 1.0)
+    out[0], out[1], out[2] = x + pull * dx, y + pull * dy, z + rise
     crowding = sqrt(sx * sx + sy * sy + sz * sz)
     return _gear(previous_gear, along), min(0.15 + 0.5 * crowding, 0.8)

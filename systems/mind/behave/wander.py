@@ -10,13 +10,15 @@ from typing import Final
 from components.arrays import Float64s
 from components.chance import WANDER, uniform
 from components.ground import Terrain, ground_height
-from components.kernels import row
+from components.kernels import inlined, row
 from components.mind import Role
 from components.vector import point
 
 PACIFIST: Final = int(Role.PACIFIST)
 
-_STRAY: Final = 3.0
+_STRAY: Final = 4.0
+_LIFT: Final = 0.7
+_SLOPE: Final = 0.3
 _LEAP: Final = 12.0
 _CURIOUS: Final = 0.35
 _LONGEST: Final = 8.0
@@ -81,15 +83,15 @@ def depart(
     tx, ty = choose_place(terrain, kind, x, y, seed, now, identity)
     u = uniform(seed, WANDER, 4 * now + 1, -1 - identity)
     bottom = ground_height(terrain.height, terrain.extent, terrain.cell, tx, ty) + 0.5
-    tz = max(low, bottom) + u * u * max(high - max(low, bottom), 0.0)
+    tz = max(low, bottom) + _LIFT * u * u * u * max(high - max(low, bottom), 0.0)
     dx, dy, dz = tx - x, ty - y, tz - z
     level = sqrt(dx * dx + dy * dy)
-    point(out, dx + 1e-6, dy, min(max(dz, -0.35 * level), 0.35 * level))
+    point(out, dx + 1e-6, dy, min(max(dz, -_SLOPE * level), _SLOPE * level))
     seconds = min(max(level / max(speed, 0.05), 2.0), _LONGEST)
     return now + int(60.0 * seconds)
 
 
-@row
+@inlined
 def wander(
     role: int, direction: Float64s, drawn: float, away: Float64s, sight: float, out: Float64s
 ) -> tuple[int, float]:
