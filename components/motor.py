@@ -36,9 +36,9 @@ class MotorTable(Table):
     last_shape_row: Int32s = column(np.int32)
     "the entry shown a tick ago, (capacity,)"
     warp_from: Int32s = column(np.int32)
-    "the entry that the warp leaves, (capacity,)"
+    "the entry that the warp leaves, as shown when it began, (capacity,)"
     warp_to: Int32s = column(np.int32)
-    "the entry that the warp enters, (capacity,)"
+    "the new segment's entry before the first one played, or a turn's first, (capacity,)"
     warp_length: Int32s = column(np.int32)
     "[ticks] that the warp takes, 0 for none, (capacity,)"
     warp_age: Int32s = column(np.int32)
@@ -48,6 +48,6 @@ class MotorTable(Table):
     last_warp_weight: Float64s = column(np.float64)
     "weight of the offset a tick ago, 0 to 1, (capacity,)"
     mean_roll: Float64s = column(np.float64)
-    "running mean of the roll [rad] that balance removes (papers/000, appendix B), (capacity,)"
+    "running mean [rad] of the roll, which balance takes out (papers/000, appendix B), (capacity,)"
     glide: Float64s = column(np.float64, 3)
     "velocity left over from the segment before [BL/tick], body axes; fades with the warp, (capacity, 3)"

@@ -10,10 +10,8 @@ from math import floor, sqrt
 from typing import Final, NamedTuple
 
 import numba
-import numpy as np
 
-from components.arrays import Float32s, Float64s, Int8s, Int32s
-from components.body import NODES
+from components.arrays import Float64s, Int32s
 from components.clock import TICK_SECONDS, Clock
 from components.fish import FishTable, Population
 from components.kernels import inlined, loop, row
@@ -21,6 +19,7 @@ from components.motor import MotorTable
 from components.repertoire import Pattern, RepertoireLibrary
 from components.rotation import set_axes, turned
 from components.terrain import Terrain, confine
+from systems.motor.track import Track, apart, track
 
 PARALLEL_FROM: Final = 500
 """Fishes from which two threads are worth their launch."""
@@ -47,6 +46,9 @@ FASTEST_RIGHTING: Final = 1.5 * TICK_SECONDS
 
 MARGIN: Final = 0.5
 """How far a fish's origin keeps from ground, rocks, surface and rim, over its length."""
+
+WIDEST_MARGIN: Final = 0.9
+"""[m]: shallow water must stay passable to giants."""
 
 
 class Bodies(NamedTuple):
@@ -80,29 +82,6 @@ class Motors(NamedTuple):
     glide: Float64s
 
 
-class Track(NamedTuple):
-    """The library as move reads it. E entries, S segments."""
-
-    rotation: Float64s
-    "M, (E, 3, 3)"
-    translation: Float64s
-    "t [BL], (E, 3)"
-    shape: Float32s
-    "d [BL] by planes x, y, z, padded with noughts: kernels run along them, (E, 3, 24)"
-    start: Int32s
-    "(S,)"
-    length: Int32s
-    "(S,)"
-    loops: Int8s
-    "(S,)"
-    pattern: Int8s
-    "(S,)"
-    segment: Int32s
-    "(species, 5)"
-    match: Int32s
-    "the frame of each pattern's segment whose shape is nearest to an entry's, 0 in turns, (E, 5)"
-
-
 def bodies(fish: FishTable) -> Bodies:
     """Return the columns of `fish` that kernels move; stale when the table grows."""
     return Bodies(*(getattr(fish, name) for name in Bodies._fields))
@@ -113,84 +92,13 @@ def motors(motor: MotorTable) -> Motors:
     return Motors(*(getattr(motor, name) for name in Motors._fields))
 
 
-def planes(shape: Float32s) -> Float32s:
-    """Return shapes (E, 23, 3) as planes (E, 3, 24), which vector units can read."""
-    padded = np.zeros((len(shape), 3, NODES + 1), np.float32)
-    padded[:, :, :NODES] = shape.transpose(0, 2, 1)
-    return padded
-
-
-def track(library: RepertoireLibrary) -> Track:
-    """Return the library as kernels read it, with the places to enter its segments."""
-    shape = planes(library.shape)
-    match = np.zeros((len(shape), len(Pattern)), np.int32)
-    _fill_match(shape, library.start, library.length, library.loops, library.segment, match)
-    return Track(
-        np.ascontiguousarray(library.rotation),
-        np.ascontiguousarray(library.translation),
-        shape,
-        library.start,
-        library.length,
-        library.loops,
-        library.pattern,
-        library.segment,
-        match,
-    )
-
-
-@row
-def _apart(a: Float32s, b: Float32s, sum_all: bool) -> float:
-    """Return the sum over nodes of the squared distance [BL^2] of two shapes, or its maximum."""
-    total = most = 0.0
-    for n in range(NODES):
-        x = np.float64(a[0, n]) - np.float64(b[0, n])
-        y = np.float64(a[1, n]) - np.float64(b[1, n])
-        z = np.float64(a[2, n]) - np.float64(b[2, n])
-        square = x * x + y * y + z * z
-        total += square
-        most = max(most, square)
-    return total if sum_all else most
-
-
-@row
-def _nearest(shape: Float32s, entry: int, first: int, length: int) -> int:
-    """Return the frame, of `length` from entry `first`, whose shape is nearest to `entry`'s."""
-    best, least = 0, np.inf
-    for frame in range(length):
-        apart = _apart(shape[entry], shape[first + frame], True)
-        if apart < least:
-            best, least = frame, apart
-    return best
-
-
-@row
-def _fill_match(
-    shape: Float32s,
-    start: Int32s,
-    length: Int32s,
-    loops: Int8s,
-    segment: Int32s,
-    match: Int32s,
-) -> None:
-    for species in range(segment.shape[0]):
-        for pattern in range(segment.shape[1]):
-            into = segment[species, pattern]
-            if into < 0 or loops[into] == 0:
-                continue
-            for other in range(segment.shape[1]):
-                leaving = segment[species, other]
-                if leaving >= 0:
-                    for entry in range(start[leaving], start[leaving] + length[leaving]):
-                        match[entry, pattern] = _nearest(shape, entry, start[into], length[into])
-
-
 @row
 def _switch(i: int, motor: Motors, track: Track, wanted: int) -> None:
     """Leave the segment being played for `wanted`: set up the warp that leads there."""
     old = motor.shape_row[i]
     frame = track.match[old, track.pattern[wanted]]
     to = track.start[wanted] + frame
-    gap = sqrt(_apart(track.shape[old], track.shape[to], False))
+    gap = sqrt(apart(track.shape[old], track.shape[to], False))
     motor.warp_from[i] = old
     motor.warp_to[i] = to
     motor.warp_length[i] = max(SHORTEST_WARP, floor(gap * (SMOOTHSTEP_SLOPE / WARP_STEP)) + 1)
@@ -320,7 +228,7 @@ def advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) ->
 @row
 def _hold_inside(first: int, last: int, fish: Bodies, terrain: Terrain) -> None:
     for i in range(first, last):
-        confine(terrain, fish.position, i, MARGIN * fish.length[i])
+        confine(terrain, fish.position, i, min(MARGIN * fish.length[i], WIDEST_MARGIN))
 
 
 @row

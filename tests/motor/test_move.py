@@ -19,9 +19,9 @@ from systems.motor.move import (
     motors,
     move_parallel,
     move_serial,
-    track,
 )
 from systems.motor.pose import pose
+from systems.motor.track import track
 
 School = Callable[[int, RepertoireLibrary], Population]
 

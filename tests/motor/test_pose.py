@@ -10,8 +10,9 @@ from components.clock import Clock
 from components.fish import Population
 from components.repertoire import Pattern, RepertoireLibrary
 from components.terrain import Terrain
-from systems.motor.move import Move, bodies, motors, track
+from systems.motor.move import Move, bodies, motors
 from systems.motor.pose import pose, reconstruct, replay
+from systems.motor.track import track
 
 School = Callable[[int, RepertoireLibrary], Population]
 

@@ -1,0 +1,109 @@
+"""Track: the library as the motor system's kernels read it, and where to enter its segments.
+
+Shapes lie in planes so that vector units run along them; the entry of each segment that looks most
+like every other entry is found once, so that a change of segment need not search (papers/000,
+section 5.2).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from components.arrays import Float32s, Float64s, Int8s, Int32s
+from components.body import NODES
+from components.kernels import row
+from components.repertoire import Pattern, RepertoireLibrary
+
+
+class Track(NamedTuple):
+    """The library as move reads it. E entries, S segments."""
+
+    rotation: Float64s
+    "M, (E, 3, 3)"
+    translation: Float64s
+    "t [BL], (E, 3)"
+    shape: Float32s
+    "d [BL] by planes x, y, z, padded with noughts: kernels run along them, (E, 3, 24)"
+    start: Int32s
+    "(S,)"
+    length: Int32s
+    "(S,)"
+    loops: Int8s
+    "(S,)"
+    pattern: Int8s
+    "(S,)"
+    segment: Int32s
+    "(species, 5)"
+    match: Int32s
+    "the frame of each pattern's segment whose shape is nearest to an entry's, 0 in turns, (E, 5)"
+
+
+def planes(shape: Float32s) -> Float32s:
+    """Return shapes (E, 23, 3) as planes (E, 3, 24), which vector units can read."""
+    padded = np.zeros((len(shape), 3, NODES + 1), np.float32)
+    padded[:, :, :NODES] = shape.transpose(0, 2, 1)
+    return padded
+
+
+def track(library: RepertoireLibrary) -> Track:
+    """Return the library as kernels read it, with the places to enter its segments."""
+    shape = planes(library.shape)
+    match = np.zeros((len(shape), len(Pattern)), np.int32)
+    _fill_match(shape, library.start, library.length, library.loops, library.segment, match)
+    return Track(
+        np.ascontiguousarray(library.rotation),
+        np.ascontiguousarray(library.translation),
+        shape,
+        library.start,
+        library.length,
+        library.loops,
+        library.pattern,
+        library.segment,
+        match,
+    )
+
+
+@row
+def apart(a: Float32s, b: Float32s, sum_all: bool) -> float:
+    """Return the sum over nodes of the squared distance [BL^2] of two shapes, or its maximum."""
+    total = most = 0.0
+    for n in range(NODES):
+        x = np.float64(a[0, n]) - np.float64(b[0, n])
+        y = np.float64(a[1, n]) - np.float64(b[1, n])
+        z = np.float64(a[2, n]) - np.float64(b[2, n])
+        square = x * x + y * y + z * z
+        total += square
+        most = max(most, square)
+    return total if sum_all else most
+
+
+@row
+def _nearest(shape: Float32s, entry: int, first: int, length: int) -> int:
+    """Return the frame, of `length` from entry `first`, whose shape is nearest to `entry`'s."""
+    best, least = 0, np.inf
+    for frame in range(length):
+        total = apart(shape[entry], shape[first + frame], True)
+        if total < least:
+            best, least = frame, total
+    return best
+
+
+@row
+def _fill_match(
+    shape: Float32s,
+    start: Int32s,
+    length: Int32s,
+    loops: Int8s,
+    segment: Int32s,
+    match: Int32s,
+) -> None:
+    for species in range(segment.shape[0]):
+        for pattern in range(segment.shape[1]):
+            into = segment[species, pattern]
+            if into < 0 or loops[into] == 0:
+                continue
+            for other in range(segment.shape[1]):
+                leaving = segment[species, other]
+                if leaving >= 0:
+                    for entry in range(start[leaving], start[leaving] + length[leaving]):
+                        match[entry, pattern] = _nearest(shape, entry, start[into], length[into])
