@@ -56,6 +56,7 @@ def play(
     OpenGL, or where `record` cannot be written.
     """
     shelf = find_levels(level, mods)
+    _check_writable(record)
     window = open_window(size or SIZE)
     game = new_game(shelf, secrets.randbelow(_SEEDS) if seed is None else seed, record)
     view = GameWindow(window, game)
@@ -63,6 +64,15 @@ def play(
     game.to_title()
     view.run()
     return 0
+
+
+def _check_writable(record: Path | None) -> None:
+    """Refuse, before a window opens, a recording that could not be written later."""
+    if record is None:
+        return
+    there = next(folder for folder in (record, *record.absolute().parents) if folder.exists())
+    if record.is_dir() or not os.access(there, os.W_OK) or not (there == record or there.is_dir()):
+        raise InputError(f"{record}: cannot be written")
 
 
 def new_game(shelf: "Shelf", seed: int = 0, record: Path | None = None) -> "Game":

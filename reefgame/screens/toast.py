@@ -3,7 +3,7 @@
 from reefgame.screens import theme
 from reefgame.screens.canvas import Canvas
 
-_SECONDS = 6.0
+_SECONDS = 4.5
 
 
 class Toast:
@@ -41,8 +41,8 @@ class Toast:
     def _lay_out(self, message: str) -> None:
         c = self._canvas = Canvas(*self._size)
         u = c.unit
-        wide = min(640 * u, c.width - 24 * u)
-        top = c.height - 70 * u
+        wide = min(580 * u, c.width - 24 * u)
+        top = c.height - 8 * u
         text = c.text(
             message, 0.5 * c.width, top - 9 * u, theme.SMALL, theme.FOAM, "center top",
             wide - 32 * u, order=1,

@@ -24,6 +24,7 @@ class WatchScreen(Screen):
         self._commands = replay.play()
         self._tick = 0
         self._held = False
+        game.stage.restart()
 
     def layout(self) -> None:
         """Set up what the pilot saw, and a bar for how far the replay is."""

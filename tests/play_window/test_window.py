@@ -168,6 +168,16 @@ def test_without_opengl_one_line_says_what_to_install(display: str) -> None:
     assert "apt-get install" in line
 
 
+def test_a_recording_that_cannot_be_written_is_refused_at_once(
+    display: str, tmp_path: Path
+) -> None:
+    (tmp_path / "file").write_text("")
+    for record in (tmp_path, tmp_path / "file" / "dive.replay"):
+        done = run(str(EASY), "--record", str(record), DISPLAY=display)
+        assert done.returncode == 1
+        assert done.stderr == f"{record}: cannot be written\n"
+
+
 @pytest.mark.parametrize("wrong", ["no_such_level", "no/such/level.yaml"])
 def test_a_level_that_is_not_there_is_one_line(display: str, wrong: str) -> None:
     done = run(wrong, DISPLAY=display)

@@ -248,3 +248,25 @@ def test_settings_with_mistakes_are_told_in_the_window(
     assert len(game.messages) == 1
     assert game.messages[0].startswith(f"{settings_path()}:1:2: quality must be")
     assert game.messages[0] in capsys.readouterr().err
+
+
+def test_a_replay_is_watched_to_its_end(player: Any) -> None:
+    from reefgame.screens.watch import WatchScreen
+
+    player.press("RETURN")
+    player.hold("W")
+    player.wait(30)
+    world, path = player.screen.world, player.screen.recording.path
+    player.press("ESCAPE")
+    expected = world.checksums()
+    player.game.to_title()
+    replay = read_replay(path)
+    player.game.stack.replace(lambda: WatchScreen(player.game, replay))
+    player.press("SPACE")
+    player.wait(10)
+    assert world.clock.now == 0
+    player.press("SPACE")
+    player.wait(60)
+    assert world.clock.now == replay.ticks == 30
+    assert world.checksums() == expected
+    assert player.view.picture().std() > 10
