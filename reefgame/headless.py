@@ -73,7 +73,9 @@ def _same_game(path: Path, record: Replay, content: Content) -> None:
 
 def _verify(record: Replay, world: World, path: Path) -> int:
     with progress_bar(f"verifying {path.name}") as report:
-        desync = verify(record, world, lambda tick: report(tick / max(record.ticks, 1)))
+        desync = verify(
+            record, world, lambda tick: report(tick / max(record.ticks, 1), "verifying")
+        )
     if desync is not None:
         raise InputError(f"{path}: {desync}")
     cut = "" if record.ended else "; the recording was cut short"

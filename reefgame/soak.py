@@ -43,8 +43,7 @@ class Trace:
 
     def arrays(self) -> dict[str, AnyArray]:
         """Return the trace's arrays, as the module's docstring describes them."""
-        ids = np.unique(np.concatenate([s["id"] for s in self._samples])) if self._samples else []
-        ids = np.asarray(ids, np.int64)
+        ids = np.unique(np.concatenate([*(s["id"] for s in self._samples), np.empty(0, np.int64)]))
         shape = (len(self._samples), len(ids))
         species = np.full(len(ids), -1, np.int32)
         out: dict[str, AnyArray] = {

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from components.arrays import Float64s
 from components.clock import TICKS_PER_SECOND
 from components.command import Command, CommandTable
 from components.submarine import HULL_RADIUS, SubmarineTable
@@ -31,8 +32,8 @@ class Ship:
         return self
 
     @property
-    def velocity(self) -> np.ndarray:
-        return self.table.velocity[0]
+    def velocity(self) -> Float64s:
+        return np.asarray(self.table.velocity[0], np.float64)
 
 
 def gap(terrain: Terrain, ship: Ship) -> float:

@@ -63,7 +63,7 @@ def test_nobody_leaves_the_water_in_a_minute() -> None:
         world.tick()
         if tick % 60 == 0:
             assert free(world) > 0.0
-            rotation = world.population.fish.live("rotation")
+            rotation = world.population.fish.rotation[: world.population.count]
             identity = np.einsum("nij,nik->njk", rotation, rotation)
             assert np.abs(identity - np.eye(3)).max() < 1e-6
 

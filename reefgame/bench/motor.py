@@ -1,0 +1,105 @@
+"""bench motor: what replaying captured motion costs against simulating it, one thread (papers/000, Table 3).
+
+The fishes and the muscle model take turns in one run, many short spells each; a figure is the median of its spells. The
+dynamics are one sardine's frame of four substeps, by the banded solver and by LU of the whole 69 x 69 matrix, which is
+the paper's way.
+"""
+
+from collections.abc import Callable, Iterator
+from typing import Final
+
+import numpy as np
+
+from components.repertoire import Pattern, pack
+from reefgame.bench.case import Case, in_turn
+from reefgame.bench.step import crowded
+from reefgame.content import load_species, read_species
+from reefgame.content.anatomy import body_of, swim_of
+from systems.motor.biomechanics import advance, workspace
+from systems.motor.contract import Stroke
+from systems.motor.move import advance as play
+from systems.motor.move import bodies, motors
+from systems.motor.muscle_model import body_model
+from systems.motor.pose import reconstruct, replay
+from systems.motor.track import track
+from tools.peers.dense_dynamics import dense_advance
+
+_FISHES: Final = 1000
+_CALLS: Final = 50
+_FRAMES: Final = 60
+_DENSE_FRAMES: Final = 10
+_ROUNDS: Final = 25
+_WARPING: Final = 1 / 6
+
+
+def measure() -> Iterator[Case]:
+    """Yield microseconds a fish of replay and of the whole of move, against a frame of dynamics."""
+    spells = (
+        _replay(),
+        _full(),
+        _dynamics(advance, _FRAMES),
+        _dynamics(dense_advance, _DENSE_FRAMES),
+    )
+    times = in_turn(spells, _ROUNDS)
+    per = (_CALLS * _FISHES, _CALLS * _FISHES, _FRAMES, _DENSE_FRAMES)
+    bare, full, banded, dense = (1e6 * t / n for t, n in zip(times, per, strict=True))
+    fishes = f"fishes={_FISHES}"
+    us = "us a fish"
+    yield Case(f"{fishes} part=replay", bare, us, bound="<= 0.035")
+    yield Case(f"{fishes} part=full warping={_WARPING:.2f}", full, us, bound="<= 0.06")
+    yield Case("part=dynamics", banded, "us a frame", bound="<= 45")
+    yield Case(f"{fishes} part=replay against=dense", bare, us, dense, dense / bare, ">= 3500")
+    yield Case(f"{fishes} part=replay against=banded", bare, us, banded, banded / bare)
+
+
+def _replay() -> Callable[[], None]:
+    """Return a spell of eqs. 10 to 12 for all fishes: pose and 23 nodes in float32."""
+    library = pack([load_species("sardine").repertoire])
+    data = track(library)
+    swim = int(library.segment[0, Pattern.SWIM_MEDIUM])
+    first, length = int(library.start[swim]), int(library.length[swim])
+    frame = (np.arange(_FISHES) % length).astype(np.int32)
+    size = np.full(_FISHES, 0.2)
+    rotation, position = np.tile(np.eye(3), (_FISHES, 1, 1)), np.zeros((_FISHES, 3))
+    nodes = np.empty((_FISHES, 3, 24), np.float32)
+
+    def spell() -> None:
+        for _ in range(_CALLS):
+            replay(first, length, frame, size, data, rotation, position, nodes)
+
+    return spell
+
+
+def _full() -> Callable[[], None]:
+    """Return a spell of whole replay: segments, warps, steering and balance, then all nodes."""
+    world = crowded(_FISHES)
+    people = world.population
+    data = track(world.library)
+    fish, motor = bodies(people.fish), motors(people.motor)
+    nodes = np.empty((people.count, 3, 24), np.float32)
+    # A warp so long that it does not end, its offset at nearly full weight.
+    motor.warp_length[: people.count : round(1 / _WARPING)] = 1 << 30
+
+    def spell() -> None:
+        for _ in range(_CALLS):
+            play(0, people.count, fish, motor, data)
+            reconstruct(people.count, fish, motor, data.shape, nodes)
+
+    return spell
+
+
+def _dynamics(step: Callable[..., None], frames: int) -> Callable[[], None]:
+    """Return a spell of `frames` frames of a sardine swimming at cruise."""
+    _, file = read_species("sardine")
+    swim = swim_of(file)
+    model = body_model(body_of(file), swim)
+    stroke = Stroke(swim.contraction_middle, swim.contraction_rear, 2.6, 60, 0.0)
+    position, velocity, work = model.start.copy(), np.zeros((23, 3)), workspace(model)
+    clock = [0]
+
+    def spell() -> None:
+        for _ in range(frames):
+            step(model, stroke, clock[0], position, velocity, work)
+            clock[0] += 1
+
+    return spell
