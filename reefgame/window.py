@@ -8,20 +8,17 @@ import os
 import secrets
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from reefgame.console import InputError, complain, progress_bar
-from reefgame.content import Content, load
-from reefgame.content.catalogue import LEVEL
-from reefgame.content.errors import ContentError
-from reefgame.content.loading import find
-from reefgame.screens.level_card import LevelCard
+from reefgame.console import InputError, complain
+from reefgame.content import Content
 from reefgame.settings import Settings
+from reefgame.shelf import LevelCard, Shelf, find_levels
 from systems.view.context import PACKAGES, choose_options, config
 from systems.view.target import UInt8s, write_png
 
@@ -35,7 +32,6 @@ SMALLEST: Final = (480, 300)
 CAPTION: Final = "reefgame"
 _FRAMES_A_SECOND: Final = 120
 """Most frames drawn where the display does not set the pace."""
-_FIRST_LEVEL: Final = "first_dive"
 _SAME_KEY: Final = {"return": "enter", "num_enter": "enter"}
 _SEEDS: Final = 2**31
 _LONGEST_FRAME: Final = 0.25
@@ -75,7 +71,7 @@ def _check_writable(record: Path | None) -> None:
         raise InputError(f"{record}: cannot be written")
 
 
-def new_game(shelf: "Shelf", seed: int = 0, record: Path | None = None) -> "Game":
+def new_game(shelf: Shelf, seed: int = 0, record: Path | None = None) -> "Game":
     """Return a game with the shelf's level chosen and its title not yet open."""
     from reefgame.screens.game import Game
     from reefgame.screens.title import TitleScreen
@@ -104,46 +100,6 @@ def watch(replay: "Replay", content: Content) -> int:
     game.stack.replace(lambda: WatchScreen(game, replay))
     view.run()
     return 0
-
-
-@dataclass(frozen=True)
-class Shelf:
-    """The levels there are, and which of them to begin with."""
-
-    cards: tuple[LevelCard, ...]
-    start: str
-    "the full name of the level chosen"
-    asked: str
-    "what the player called it: a name or a file"
-    mods: tuple[Path, ...]
-
-    def load(self, name: str) -> Content:
-        """Return the content of the level `name`. Raise ContentError where it is at fault."""
-        with progress_bar("loading") as report:
-            wanted = self.asked if name == self.start else name
-            return load(wanted, mods=self.mods, progress=report)
-
-
-def find_levels(level: str | None, mods: Sequence[Path] = ()) -> Shelf:
-    """Return the levels to list, `level` chosen. Raise ContentError where it or a mod is at fault.
-
-    Another level that is at fault, and an installed mod that is, are left out and complained of.
-    """
-    asked = level or _FIRST_LEVEL
-    known, disabled, start = find(LEVEL, asked, mods)
-    for mod in disabled:
-        complain(str(mod))
-    cards = []
-    for name in sorted(known.levels, key=lambda name: (name != _FIRST_LEVEL, name)):
-        try:
-            found = known.level(name)
-        except ContentError as error:
-            if name == start:
-                raise
-            complain(str(error))
-            continue
-        cards.append(LevelCard(name, found.title, found.brief))
-    return Shelf(tuple(cards), start, asked, tuple(mods))
 
 
 def open_window(size: tuple[int, int], headless: bool = False) -> Any:

@@ -12,10 +12,10 @@ from reefgame.console import say
 from reefgame.content import Content
 from reefgame.progress import Progress
 from reefgame.recordings import Recording
-from reefgame.screens.level_card import LevelCard
 from reefgame.screens.screen import Screen, ScreenStack
 from reefgame.screens.stage import Stage
 from reefgame.settings import Settings
+from reefgame.shelf import LevelCard
 
 
 class Game:

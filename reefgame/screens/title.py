@@ -13,12 +13,12 @@ from reefgame.progress import Record
 from reefgame.screens import theme
 from reefgame.screens.dive import DiveScreen
 from reefgame.screens.game import Game
-from reefgame.screens.level_card import LevelCard
 from reefgame.screens.menu import Item, Menu
 from reefgame.screens.options import OptionsScreen
 from reefgame.screens.result import clock_text
 from reefgame.screens.screen import Screen
 from reefgame.screens.theme import faded
+from reefgame.shelf import LevelCard
 from reefgame.world import World
 
 _COMMANDS = 3

@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from reefgame.window import GameWindow, find_levels, new_game, open_window
+from reefgame.shelf import find_levels
+from reefgame.window import GameWindow, new_game, open_window
 
 EASY = Path(__file__).with_name("easy.yaml")
 

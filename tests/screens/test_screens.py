@@ -240,7 +240,8 @@ def test_settings_with_mistakes_are_told_in_the_window(
     window: Any, user_folders: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     from reefgame.settings import settings_path
-    from reefgame.window import find_levels, new_game
+    from reefgame.shelf import find_levels
+    from reefgame.window import new_game
 
     settings_path().parent.mkdir(parents=True)
     settings_path().write_text(json.dumps({"quality": "ultra"}))
