@@ -17,40 +17,64 @@ from components.kernels import inlined, row
 from components.repertoire import RepertoireLibrary
 from components.rotation import between
 from systems.motor.move import Bodies, Motors, bodies, motors
-from systems.motor.track import Track, planes
+from systems.motor.track import PLANE, Track, planes
 
 
 @inlined
 def place_nodes(d: Float32s, r: Float64s, o: Float64s, size: float, nodes: Float32s) -> None:
-    """nodes <- o + R (size d), eq. 12, in float32; d and nodes by planes, (3, 24)."""
+    """nodes <- o + R (size d), eq. 12, in float32; d and nodes by planes, (72,)."""
     a, b, c = np.float32(size * r[0, 0]), np.float32(size * r[0, 1]), np.float32(size * r[0, 2])
     e, f, g = np.float32(size * r[1, 0]), np.float32(size * r[1, 1]), np.float32(size * r[1, 2])
     p, q, s = np.float32(size * r[2, 0]), np.float32(size * r[2, 1]), np.float32(size * r[2, 2])
     x, y, z = np.float32(o[0]), np.float32(o[1]), np.float32(o[2])
-    for n in range(NODES + 1):
-        u, v, w = d[0, n], d[1, n], d[2, n]
-        nodes[0, n] = x + (a * u + b * v + c * w)
-        nodes[1, n] = y + (e * u + f * v + g * w)
-        nodes[2, n] = z + (p * u + q * v + s * w)
+    for n in range(PLANE):
+        u, v, w = d[n], d[n + PLANE], d[n + 2 * PLANE]
+        nodes[n] = x + (a * u + b * v + c * w)
+        nodes[n + PLANE] = y + (e * u + f * v + g * w)
+        nodes[n + 2 * PLANE] = z + (p * u + q * v + s * w)
+
+
+@inlined
+def place_warped(
+    d: Float32s,
+    leave: Float32s,
+    enter: Float32s,
+    weight: float,
+    r: Float64s,
+    o: Float64s,
+    size: float,
+    nodes: Float32s,
+) -> None:
+    """nodes <- o + R (size (d + weight (leave - enter))), as `place_nodes`, in one pass."""
+    a, b, c = np.float32(size * r[0, 0]), np.float32(size * r[0, 1]), np.float32(size * r[0, 2])
+    e, f, g = np.float32(size * r[1, 0]), np.float32(size * r[1, 1]), np.float32(size * r[1, 2])
+    p, q, s = np.float32(size * r[2, 0]), np.float32(size * r[2, 1]), np.float32(size * r[2, 2])
+    x, y, z, k = np.float32(o[0]), np.float32(o[1]), np.float32(o[2]), np.float32(weight)
+    for n in range(PLANE):
+        m, h = n + PLANE, n + 2 * PLANE
+        u = d[n] + k * (leave[n] - enter[n])
+        v = d[m] + k * (leave[m] - enter[m])
+        w = d[h] + k * (leave[h] - enter[h])
+        nodes[n] = x + (a * u + b * v + c * w)
+        nodes[m] = y + (e * u + f * v + g * w)
+        nodes[h] = z + (p * u + q * v + s * w)
 
 
 @inlined
 def mix_shapes(a: Float32s, b: Float32s, part: float, out: Float32s) -> None:
-    """out <- (1 - part) a + part b, by planes, (3, 24)."""
+    """out <- (1 - part) a + part b, by planes, (72,)."""
     w = np.float32(part)
     v = np.float32(1.0) - w
-    for k in range(3):
-        for n in range(NODES + 1):
-            out[k, n] = v * a[k, n] + w * b[k, n]
+    for n in range(3 * PLANE):
+        out[n] = v * a[n] + w * b[n]
 
 
 @inlined
 def offset_shape(out: Float32s, weight: float, leave: Float32s, enter: Float32s) -> None:
-    """out <- out + weight (leave - enter), the offset of a warp, by planes, (3, 24)."""
+    """out <- out + weight (leave - enter), the offset of a warp, by planes, (72,)."""
     w = np.float32(weight)
-    for k in range(3):
-        for n in range(NODES + 1):
-            out[k, n] += w * (leave[k, n] - enter[k, n])
+    for n in range(3 * PLANE):
+        out[n] += w * (leave[n] - enter[n])
 
 
 @row
@@ -65,7 +89,7 @@ def pose_rows(
     r: Float64s,
     nodes: Float32s,
 ) -> None:
-    """Fill nodes (rows, 3, 24) as `pose` tells; o (3,) and r (3, 3) are scratch."""
+    """Fill nodes (rows, 72) from shapes (E, 72) as `pose` tells; o (3,) and r (3, 3) are scratch."""
     for at in range(len(rows)):
         i, out = rows[at], nodes[at]
         mix_shapes(shape[motor.last_shape_row[i]], shape[motor.shape_row[i]], alpha, out)
@@ -82,14 +106,14 @@ def pose_rows(
 @row
 def reconstruct(count: int, fish: Bodies, motor: Motors, shape: Float32s, nodes: Float32s) -> None:
     """Fill nodes (count, 3, 24) [m], world axes, at the end of a tick: eq. 12 and the warps."""
+    flat, laid = shape.reshape(len(shape), 3 * PLANE), nodes.reshape(len(nodes), 3 * PLANE)
     for i in range(count):
-        out, r, o = nodes[i], fish.rotation[i], fish.position[i]
-        d = shape[motor.shape_row[i]]
+        out, r, o = laid[i], fish.rotation[i], fish.position[i]
+        d = flat[motor.shape_row[i]]
         weight = motor.warp_weight[i]
         if weight != 0.0:
-            mix_shapes(d, d, 0.0, out)
-            offset_shape(out, weight, shape[motor.warp_from[i]], shape[motor.warp_to[i]])
-            place_nodes(out, r, o, fish.length[i], out)
+            leave, enter = flat[motor.warp_from[i]], flat[motor.warp_to[i]]
+            place_warped(d, leave, enter, weight, r, o, fish.length[i], out)
         else:
             place_nodes(d, r, o, fish.length[i], out)
 
@@ -107,6 +131,8 @@ def replay(
 ) -> None:
     """Play the cycle of `length` entries from `first` for every fish by a tick: eqs. 10 to 12 and
     nothing else, for the bench. Shapes: (n,), (n,), (n, 3, 3), (n, 3), (n, 3, 24)."""
+    flat = track.shape.reshape(len(track.shape), 3 * PLANE)
+    laid = nodes.reshape(len(nodes), 3 * PLANE)
     for i in range(len(frame)):
         entry = first + frame[i]
         frame[i] = frame[i] + 1 if frame[i] + 1 < length else 0
@@ -118,7 +144,7 @@ def replay(
             r[j, 0] = x * m[0, 0] + y * m[1, 0] + z * m[2, 0]
             r[j, 1] = x * m[0, 1] + y * m[1, 1] + z * m[2, 1]
             r[j, 2] = x * m[0, 2] + y * m[1, 2] + z * m[2, 2]
-        place_nodes(track.shape[entry], r, o, a, nodes[i])
+        place_nodes(flat[entry], r, o, a, laid[i])
 
 
 def pose(
@@ -133,8 +159,9 @@ def pose(
     [m] in world axes, or [BL] in body axes where `body` is set; (rows, 23, 3), float32.
     """
     chosen = np.arange(population.count) if rows is None else np.asarray(rows, np.int64)
-    nodes = np.empty((len(chosen), 3, NODES + 1), np.float32)
+    nodes = np.empty((len(chosen), 3 * PLANE), np.float32)
     fish, motor = bodies(population.fish), motors(population.motor)
-    shape = planes(library.shape)
+    shape = planes(library.shape).reshape(-1, 3 * PLANE)
     pose_rows(chosen, fish, motor, shape, alpha, body, np.empty(3), np.empty((3, 3)), nodes)
-    return np.ascontiguousarray(nodes[:, :, :NODES].transpose(0, 2, 1))
+    laid = nodes.reshape(-1, 3, PLANE)[:, :, :NODES]
+    return np.ascontiguousarray(laid.transpose(0, 2, 1))

@@ -5,7 +5,7 @@ like every other entry is found once, so that a change of segment need not searc
 section 5.2).
 """
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from components.arrays import Float32s, Float64s, Int8s, Int32s
 from components.body import NODES
 from components.kernels import row
 from components.repertoire import Pattern, RepertoireLibrary
+
+PLANE: Final = NODES + 1
+"""Numbers in a plane of a shape: the nodes and a nought, a multiple of what vector units hold."""
 
 
 class Track(NamedTuple):
@@ -40,7 +43,7 @@ class Track(NamedTuple):
 
 def planes(shape: Float32s) -> Float32s:
     """Return shapes (E, 23, 3) as planes (E, 3, 24), which vector units can read."""
-    padded = np.zeros((len(shape), 3, NODES + 1), np.float32)
+    padded = np.zeros((len(shape), 3, PLANE), np.float32)
     padded[:, :, :NODES] = shape.transpose(0, 2, 1)
     return padded
 
