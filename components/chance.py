@@ -1,7 +1,9 @@
-"""Chance that does not depend on the order of evaluation: named, counter-based integer streams (DESIGN 2).
+"""Chance that does not depend on the order of evaluation: named, counter-based integer streams
+(DESIGN 2).
 
-A draw is a hash of (seed, stream, tick, id), so it is the same whichever thread asks first and whether or not anybody
-else asked. The mix is the finaliser of SplitMix64 (Steele, Lea and Flood 2014), applied once for each word.
+A draw is a hash of (seed, stream, tick, id), so it is the same whichever thread asks first and
+whether or not anybody else asked. The mix is the finaliser of SplitMix64 (Steele, Lea and Flood
+2014), applied once for each word.
 """
 
 from typing import Final
@@ -38,4 +40,6 @@ def draw(seed: int, stream: int, tick: int, identity: int) -> np.uint64:
 @row
 def uniform(seed: int, stream: int, tick: int, identity: int) -> float:
     """Return a float64 in [0, 1), uniform, named by (seed, stream, tick, identity)."""
-    return np.float64(draw(seed, stream, tick, identity) >> np.uint64(11)) * (1.0 / 9007199254740992.0)
+    return np.float64(draw(seed, stream, tick, identity) >> np.uint64(11)) * (
+        1.0 / 9007199254740992.0
+    )

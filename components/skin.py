@@ -1,7 +1,7 @@
 """A species' colours as layers painted one over the other, in the order given (view only).
 
-Places on the body: s from 0 at the nose to 1 at the tail's root along the body, h from -1 at the belly to 1 at the
-back. Colours are linear steps of sRGB, three numbers from 0 to 1.
+Places on the body: s from 0 at the nose to 1 at the tail's root along the body, h from -1 at the
+belly to 1 at the back. Colours are linear steps of sRGB, three numbers from 0 to 1.
 """
 
 from dataclasses import dataclass
