@@ -11,6 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from components.arrays import Float64s
+from components.clock import TICKS_PER_SECOND
 from components.command import FULL, Command
 from components.trigonometry import DEGREE
 from reefgame.world import World
@@ -39,27 +40,34 @@ def tour(world: World) -> Command:
 
 
 class Photographer:
-    """Follows the school that the objective asks for and releases the shutter when enough fishes are framed."""
+    """Follows the school that the objective asks for and releases the shutter when enough fishes are framed.
 
-    def __init__(self, patience: int = 30) -> None:
+    It waits until `earliest` [s] of the dive have passed and the frame was good for `patience` [ticks].
+    """
+
+    def __init__(self, earliest: float = 0.0, patience: int = 30, pace: float = 1.0) -> None:
+        self.earliest = earliest
         self.patience = patience
+        self.pace = pace
         self._waited = 0
 
     def __call__(self, world: World) -> Command:
         """Return the command of the tick."""
         goal = world.goals[0]
         fish = world.population.fish
-        here = world.submarine.position[0]
         school = fish.position[: fish.count][fish.species[: fish.count] == goal.species]
         if not len(school):
             return Command(stop=1)
         heart = densest(school, goal.within * 0.5)
-        distance = float(np.linalg.norm(heart - here))
-        ready = world.objective.framed[0] >= goal.count and not world.objective.done[0]
-        self._waited = self._waited + 1 if ready else 0
-        speed = min(1.0, max(0.0, (distance - 0.55 * goal.within) / 4.0))
-        command = steer(world, heart, speed)
-        return command._replace(photograph=int(self._waited >= self.patience))
+        away = float(np.linalg.norm(heart - world.submarine.position[0])) - 0.6 * goal.within
+        command = steer(world, heart, speed=self.pace * min(1.0, max(0.0, away / 4.0)))
+        return command._replace(photograph=int(self._ready(world, goal.count)))
+
+    def _ready(self, world: World, wanted: int) -> bool:
+        good = world.objective.framed[0] >= wanted and not world.objective.done[0]
+        self._waited = self._waited + 1 if good else 0
+        late = world.clock.now >= self.earliest * TICKS_PER_SECOND
+        return late and self._waited >= self.patience
 
 
 def densest(points: Float64s, radius: float) -> Float64s:
