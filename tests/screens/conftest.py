@@ -6,8 +6,9 @@ from typing import Any
 
 import pytest
 
+from reefgame.screens.game_window import GameWindow
 from reefgame.shelf import find_levels
-from reefgame.window import GameWindow, new_game, open_window
+from reefgame.window import new_game, open_window
 
 EASY = Path(__file__).with_name("easy.yaml")
 
