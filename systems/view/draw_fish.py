@@ -18,11 +18,11 @@ from components.repertoire import RepertoireLibrary
 from components.species import Species
 from systems.view.context import ensure_context
 from systems.view.cull import Culling, view_of
-from systems.view.fish_levels import WINDOW, Level, levels_of
+from systems.view.fish_levels import WINDOW, Level, levels_for
 from systems.view.fish_mesh import FishMesh
 from systems.view.program import load_program, uniform_location
 from systems.view.skin_canvas import SIZE
-from systems.view.skin_texture import paint_skin
+from systems.view.skin_texture import skin_texels
 
 SHAPES_UNIT, WEIGHTS_UNIT, SKINS_UNIT = 0, 1, 2
 _SMALLEST_MIP: Final = 5
@@ -66,7 +66,7 @@ class DrawFish:
         gl.glGenTextures(3, self._textures)
         self.widest = widest.value
         side = min(self.widest, 4096)
-        levels = [levels_of(s.body) for s in species]
+        levels = [levels_for(s.body) for s in species]
         self._upload_shapes(library, side)
         self._upload_weights(levels, side)
         self._upload_skins(species)
@@ -197,7 +197,7 @@ class DrawFish:
         texels[: len(shape), :, :3] = shape
         self._upload_table(SHAPES_UNIT, wrapped(texels, side))
 
-    def _upload_weights(self, levels: Sequence[tuple[Level, ...]], side: int) -> None:
+    def _upload_weights(self, levels: Sequence[Sequence[Level]], side: int) -> None:
         tables = [level.table for species in levels for level in species]
         self.vertices = sum(len(level.table) for level in levels[0])
         self._upload_table(WEIGHTS_UNIT, wrapped(np.concatenate(tables), side))
@@ -219,7 +219,7 @@ class DrawFish:
         from pyglet import gl
 
         target = gl.GL_TEXTURE_2D_ARRAY
-        picture = np.stack([paint_skin(s.skin, s.body) for s in species])
+        picture = np.stack([skin_texels(s.skin, s.body) for s in species])
         gl.glActiveTexture(gl.GL_TEXTURE0 + SKINS_UNIT)
         gl.glBindTexture(target, self._textures[SKINS_UNIT])
         gl.glTexImage3D(

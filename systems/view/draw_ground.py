@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from components.arrays import Float32s, Float64s, Int64s
 from components.camera import Camera
 from components.terrain import Terrain
+from systems.view.keep import kept, named
 from systems.view.mesh import Mesh
 from systems.view.program import load_program
 from systems.view.shade import ground_light
@@ -168,7 +169,10 @@ class DrawGround:
         """Fill the mesh; return how many indices each (level, coarser) has and where they start."""
         side = len(points)
         normal = grid_normals(points[..., 2], terrain.cell).reshape(-1, 3)
-        light = ground_light(points.reshape(-1, 3), terrain, np.asarray(sun))
+        (light,) = kept(
+            named(__file__, terrain, sun),
+            lambda: [ground_light(points.reshape(-1, 3), terrain, np.asarray(sun))],
+        )
         inner = np.concatenate((points.reshape(-1, 3), normal, light), axis=1)
         beyond = np.concatenate(
             (outer, np.tile((0.0, 0.0, 1.0, 1.0, 1.0), (len(outer), 1))), axis=1

@@ -10,12 +10,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from components.arrays import Float32s, Float64s, Int64s
+from components.arrays import AnyArray, Float32s, Float64s, Int64s
 from components.body import NODES, Body
 from systems.view.bspline import greville
 from systems.view.fish_fins import CARD, CLOSE, FAR, fins_of
 from systems.view.fish_lattice import ROWS, Lattice, lattice_of
 from systems.view.fish_surface import AROUND, BODY, Patch, body_side
+from systems.view.keep import kept, named
 
 WINDOW: Final = 12
 """Consecutive nodes that a vertex may follow."""
@@ -80,6 +81,19 @@ def level_of(patches: list[Patch], solid: bool = False) -> Level:
 def both_sides(lattice: Lattice, along: Float64s, around: Float64s) -> list[Patch]:
     """Return the two juxtaposed surfaces of a body."""
     return [body_side(lattice, along, around, side) for side in (1, -1)]
+
+
+def levels_for(body: Body) -> list[Level]:
+    """Return `levels_of(body)`, kept from the last time where it can be."""
+
+    def arrays() -> list[AnyArray]:
+        return [part for level in levels_of(body) for part in (level.table, level.body, level.fins)]
+
+    parts = kept(named(__file__, body), arrays)
+    return [
+        Level(table.astype(np.float32), sides.astype(np.uint32), fins.astype(np.uint32))
+        for table, sides, fins in zip(*(parts[start::3] for start in range(3)), strict=True)
+    ]
 
 
 def levels_of(body: Body) -> tuple[Level, Level, Level]:

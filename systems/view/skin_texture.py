@@ -13,11 +13,18 @@ from components.body import Body
 from components.skin import Scales, Skin
 from systems.view import skin_face as face
 from systems.view.fish_outline import outline_of
+from systems.view.keep import kept, named
 from systems.view.skin_canvas import HALF, SIZE, blank_canvas
 from systems.view.skin_fins import paint_fins
 from systems.view.skin_layers import paint_layer
 
 Texels: TypeAlias = NDArray[np.uint8]
+
+
+def skin_texels(skin: Skin, body: Body) -> Texels:
+    """Return what `paint_skin` paints, kept from the last time where it can be."""
+    (texels,) = kept(named(__file__, skin, body), lambda: [paint_skin(skin, body)])
+    return texels.astype(np.uint8, copy=False)
 
 
 def paint_skin(skin: Skin, body: Body) -> Texels:

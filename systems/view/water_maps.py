@@ -1,4 +1,4 @@
-"""Tileable maps that shaders read: caustics, noise, surface waves, sand relief (FINDINGS 8, Look).
+"""Tileable maps that shaders read: caustics, noise, surface waves, sand, stone (FINDINGS 8, Look).
 
 Computed once from a fixed seed: noise looked up costs software GL a tenth of noise computed.
 """
@@ -8,9 +8,11 @@ from itertools import product
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
-from components.arrays import Float64s, Int64s
+from components.arrays import AnyArray, Float64s, Int64s
 from systems.view.context import ensure_context
+from systems.view.keep import kept, named
 from systems.view.program import SAMPLER_UNITS
 
 SIDE: Final = 256
@@ -95,6 +97,23 @@ def relief_map() -> Float64s:
     return np.stack((*shape, pebbles, mottled), axis=-1)
 
 
+def stone_map() -> Float64s:
+    """Return stone's slopes along x and y (.5: level), height, patches of growth, (SIDE, SIDE, 4)."""
+    rng = np.random.default_rng(1669)
+    rough = spectral_noise(rng, 1.0, 3, 110)
+    creased = -np.abs(spectral_noise(rng, 1.5, 2, 24))
+    cracks = np.exp(-voronoi_gap(rng, 5, 0.75) * 16.0)
+    pits = np.exp(-((spectral_noise(rng, 0.7, 12, 44) - 1.9) ** 2) * 4.0)
+    height = 0.55 * rough + 1.1 * creased - 0.9 * cracks - 0.9 * pits
+    height = (height - height.mean()) / height.std()
+    slope_x = np.roll(height, -1, 0) - np.roll(height, 1, 0)
+    slope_y = np.roll(height, -1, 1) - np.roll(height, 1, 1)
+    spread = 3.0 * np.sqrt((slope_x**2 + slope_y**2).mean() / 2)
+    growth = _unit(spectral_noise(rng, 1.35, 1, 90), -2.2, 2.2)
+    shape = (_unit(slope_x, -spread, spread), _unit(slope_y, -spread, spread))
+    return np.stack((*shape, _unit(height, -2.8, 2.2), growth), axis=-1)
+
+
 def _ripples(rng: np.random.Generator) -> Float64s:
     """Return the height of sand ripples: crests along y that wander and fork, (SIDE, SIDE)."""
     across = np.arange(SIDE)[:, None] * (2 * np.pi * 11 / SIDE)
@@ -126,18 +145,30 @@ def _unit(values: Float64s, low: float, high: float) -> Float64s:
     return np.clip((values - low) / (high - low), 0.0, 1.0)
 
 
-def upload(values: Float64s, smooth: bool = True) -> c_uint:
-    """Return a new repeating, mipmapped RGBA8 texture of `values`, (rows, columns, 4) of 0..1."""
+_MAKERS: Final = {
+    "water_map": water_map,
+    "surface_map": surface_map,
+    "relief_map": relief_map,
+    "stone_map": stone_map,
+}
+
+
+def _texels(values: Float64s) -> NDArray[np.uint8]:
+    """Return a map indexed [x, y], 0 to 1, as a texture's texels, whose rows run along y."""
+    return np.ascontiguousarray(np.rint(values.swapaxes(0, 1) * 255).astype(np.uint8))
+
+
+def upload(texels: AnyArray, smooth: bool = True) -> c_uint:
+    """Return a new repeating, mipmapped RGBA8 texture of `texels`, (rows, columns, 4) uint8."""
     from pyglet import gl
 
-    texels = np.ascontiguousarray(np.rint(values * 255).astype(np.uint8))
     texture = c_uint()
     smaller = gl.GL_LINEAR_MIPMAP_LINEAR if smooth else gl.GL_LINEAR_MIPMAP_NEAREST
     gl.glGenTextures(1, byref(texture))
     gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
     gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
     gl.glTexImage2D(
-        *(gl.GL_TEXTURE_2D, 0, gl.GL_RGBA8, values.shape[1], values.shape[0], 0),
+        *(gl.GL_TEXTURE_2D, 0, gl.GL_RGBA8, texels.shape[1], texels.shape[0], 0),
         *(gl.GL_RGBA, gl.GL_UNSIGNED_BYTE, texels.ctypes.data),
     )
     for name, value in (
@@ -152,18 +183,17 @@ def upload(values: Float64s, smooth: bool = True) -> c_uint:
 
 
 class WaterMaps:
-    """The three maps as textures, for the units that `SAMPLER_UNITS` names.
+    """The maps as textures, for the units that `SAMPLER_UNITS` names.
 
     Not `smooth`, they step from size to size: a fifth of a frame on software GL.
     """
 
     def __init__(self, smooth: bool = True) -> None:
         ensure_context()
-        makers = {"water_map": water_map, "surface_map": surface_map, "relief_map": relief_map}
-        # Maps are indexed [x, y]; a texture's rows run along y.
+        maps = kept(named(__file__), lambda: [_texels(make()) for make in _MAKERS.values()])
         self._textures = {
-            unit: upload(makers[name]().swapaxes(0, 1), smooth)
-            for name, unit in SAMPLER_UNITS.items()
+            SAMPLER_UNITS[name]: upload(texels, smooth)
+            for name, texels in zip(_MAKERS, maps, strict=True)
         }
 
     def bind(self) -> None:

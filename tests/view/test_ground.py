@@ -20,8 +20,9 @@ from systems.view.draw_ground import (
     tile_indices,
     tile_levels,
 )
-from systems.view.draw_rocks import LUMPS, ground_under, rock_mesh, split_octahedron
-from systems.view.shade import ground_light, in_rock_axes
+from systems.view.draw_rocks import rock_mesh
+from systems.view.shade import ground_light, ground_under, in_rock_axes
+from systems.view.stone import LUMPS, split_octahedron
 
 SIDE = TILE + 1
 
@@ -119,7 +120,7 @@ def test_the_sphere_is_closed_and_faces_outward(times: int) -> None:
 
 
 def test_a_rock_is_drawn_where_it_is_felt(seabed: Terrain) -> None:
-    drawn = rock_mesh(seabed, 0, *split_octahedron(4))
+    drawn = rock_mesh(seabed, 0, split_octahedron(4), np.array([0.0, 0.0, 1.0]))
     away = np.linalg.norm(in_rock_axes(drawn[:, :3], seabed, 0), axis=1)
     assert np.abs(away - 1.0).max() <= LUMPS
     assert away.std() > 0.1 * LUMPS

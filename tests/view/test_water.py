@@ -15,7 +15,7 @@ from systems.view.draw_rocks import DrawRocks
 from systems.view.draw_water import DrawWater
 from systems.view.frame import FrameBlock, Look
 from systems.view.target import Target, UInt8s, start_drawing, stop_drawing
-from systems.view.water_maps import relief_map, surface_map, water_map
+from systems.view.water_maps import relief_map, stone_map, surface_map, water_map
 
 
 class Sea:
@@ -152,7 +152,7 @@ def test_frames_raise_no_opengl_error_and_leave_nothing_behind(
     assert gl.glGetError() == gl.GL_NO_ERROR
 
 
-@pytest.mark.parametrize("make", [water_map, surface_map, relief_map])
+@pytest.mark.parametrize("make", [water_map, surface_map, relief_map, stone_map])
 def test_a_map_repeats_without_a_seam(make: Callable[[], Float64s]) -> None:
     values = make()
     assert values.min() >= 0.0

@@ -22,11 +22,21 @@ vec3 bumped(vec3 upright, float height) {
 }
 #endif
 
-// Light on fish: the sun wraps round a little, and sand throws some back from below.
+// Light on fish: the sun wraps round a little, blue-green sky from above, a little thrown back by sand from below.
 vec3 light_on(vec3 upright, vec3 towards) {
-    vec3 light = sunlight(world, normalize(upright + .3 * towards));
+    vec3 light = sunlight(world, normalize(upright + .25 * towards));
     float left = exp(-.035 * max(-world.z, 0.)) * sun.w;
-    return (1.34 * light + vec3(.44, .50, .47) * left * (.55 - .45 * upright.z)) * (.72 + .34 * abs(dot(upright, towards)));
+    float above = .5 + .5 * upright.z;
+    vec3 around = mix(vec3(.16, .25, .27), vec3(.40, .62, .62), above * above);
+    return (1.25 * light + around * left) * (.62 + .44 * abs(dot(upright, towards)));
+}
+
+// What a silvery flank mirrors: bright water above, the deep blue of the horizon, pale sand below.
+vec3 mirrored_sea(vec3 direction) {
+    vec3 horizon = vec3(.05, .19, .27);
+    vec3 sea = direction.z > 0. ? mix(horizon, vec3(.98, 1.16, 1.16), smoothstep(.0, .8, direction.z))
+                                : mix(horizon, vec3(.30, .44, .43), smoothstep(.1, .9, -direction.z));
+    return sea;
 }
 
 void main() {
@@ -56,13 +66,15 @@ void main() {
     vec3 mirrored = reflect(-towards, upright);
     float rim = pow(1. - facing, 4.);
     float glint = max(dot(mirrored, sun.xyz), 0.) * smoothstep(-.1, .3, dot(upright, sun.xyz));
-    float sky = smoothstep(-.35, .75, mirrored.z);
-    vec3 around = mix(vec3(.02, .09, .14), vec3(.86, 1.06, 1.10), sky) * (light.g * .5 + .3);
+    vec3 around = mirrored_sea(mirrored) * (light.g * .40 + .30);
+    // Small on the picture a fish shows no single glint: its scales would only twinkle.
+    float seen = size * target.y / (2. * up.w * length(world - eye.xyz));
+    float glints = smoothstep(8., 70., seen);
     float shine = tint.w;
     vec3 film = .5 + .5 * cos(vec3(0., 1.6, 3.4) + 7. * facing + 5. * skin_at.y);   // thin layers of guanine
-    vec3 lit = albedo * light * (1. - .6 * shine);
-    lit += around * mix(vec3(.05), (.05 + 1.3 * albedo) * mix(vec3(1.), .7 + .6 * film, .5), shine) * (shine * .85 + rim * (.2 + .5 * shine));
-    lit += SUN_COLOUR * sun.w * min(light.g, 1.6) * (pow(glint, 22.) * (.07 + .45 * shine) + pow(glint, 120.) * (.22 + 1.3 * shine));
+    vec3 lit = albedo * light * (1. - .74 * shine);
+    lit += around * mix(vec3(.05), (.04 + 1.25 * albedo) * mix(vec3(1.), .62 + .76 * film, .6), shine) * (shine * .95 + rim * (.15 + .35 * shine));
+    lit += SUN_COLOUR * sun.w * min(light.g, 1.6) * (pow(glint, 18.) * (.07 + .42 * shine) * (.35 + .65 * glints) + pow(glint, 120.) * (.22 + 1.3 * shine) * glints);
     colour = vec4(graded(through_water(lit, world)), 1.);
 #endif
 }

@@ -35,7 +35,7 @@ vec3 sunlight_in(vec3 world, vec3 normal, vec2 reached) {
     vec3 way = world - eye.xyz;
     float clear = water.y * (1. - .5 * smoothstep(6., 30., depth)) * smoothstep(.05, .75, normal.z);
     clear /= 1. + .0007 * dot(way, way);
-    float net = mix(.62, caustics(world), clear);
+    float net = mix(.62, caustics(world), clear * (.45 + .9 * texture(water_map, world.xy * .037 + eye.w * .004).b));
     vec3 sky = mix(vec3(.07, .13, .12), SKY_COLOUR, .5 + .5 * normal.z);
     return left * (SUN_COLOUR * sun.w * facing * reached.y * (.24 + .86 * net) + sky * reached.x);
 }
@@ -95,6 +95,8 @@ vec3 through_water(vec3 colour, vec3 world) {
     float thick = CLEAR / water.x * distance;
     vec3 kept = exp(-ABSORB * thick);
     vec3 gained = veil(direction) * (1. - exp(-SCATTER * thick));
+    // Farther than one sees, things are water.
+    kept *= 1. - smoothstep(.9, 2.4, distance / water.x);
     return colour * kept + gained + SHAFT_COLOUR * sun.w * shafts(direction, distance);
 }
 
