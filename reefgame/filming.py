@@ -2,17 +2,21 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Final
 
 from components.camera import Camera, camera_at
 from components.clock import TICKS_PER_SECOND
 from components.command import Command
 from reefgame.console import Report, progress_bar, say
-from reefgame.film import FRAMES_PER_SECOND, Film
+from reefgame.film import FRAMES_PER_SECOND, Film, check_film
+from reefgame.output import replacing
 from reefgame.replay import Replay
 from reefgame.scene import Scene
 from reefgame.world import World
 from systems.view.target import Target, UInt8s, write_png
 
+COCKPIT_SLOPE: Final = 0.4663
+"""Tangent of half the field of view of films and pictures, 50 degrees: fishes look as near as they are."""
 _STEP = TICKS_PER_SECOND // FRAMES_PER_SECOND
 
 
@@ -21,8 +25,10 @@ def film(
 ) -> None:
     """Play `record` in its fresh `world` and write the film, the picture, or both.
 
-    Raise NoFilmError, TargetError or NoOpenGLError; nothing half-written stays.
+    Raise NoFilmError, TargetError, NoOpenGLError or InputError; nothing half-written stays.
     """
+    if video:
+        check_film(*size)
     target = Target(*size)
     scene = Scene(world)
     reel = Film(video, *size) if video else None
@@ -33,13 +39,15 @@ def film(
                 if reel is not None:
                     reel.add(draw(scene, target, world))
                 if picture and best <= tick < best + _STEP:
-                    write_png(picture, draw(scene, target, world))
+                    with replacing(picture) as fresh:
+                        write_png(fresh, draw(scene, target, world))
+        if reel is not None:
+            reel.close()
     except BaseException:
         if reel is not None:
             reel.discard()
         raise
-    if reel is not None:
-        reel.close()
+    if video:
         say(f"{video}")
     if picture:
         say(f"{picture}")
@@ -51,7 +59,7 @@ def cockpit(world: World, alpha: float = 1.0) -> Camera:
     eye = ship.last_position[0] + alpha * (ship.position[0] - ship.last_position[0])
     yaw = ship.last_yaw[0] + alpha * (ship.yaw[0] - ship.last_yaw[0])
     pitch = ship.last_pitch[0] + alpha * (ship.pitch[0] - ship.last_pitch[0])
-    return camera_at(eye, float(yaw), float(pitch))
+    return camera_at(eye, float(yaw), float(pitch), COCKPIT_SLOPE)
 
 
 def draw(scene: Scene, target: Target, world: World) -> UInt8s:

@@ -1,4 +1,4 @@
-"""What is drawn, in order: seabed, rocks, open water behind them, fishes, motes (DESIGN 3, 5).
+"""What is drawn, in order: seabed, rocks, rubble, open water behind them, fishes, motes (DESIGN 3, 5).
 
 The water fills only the pixels that nothing has covered yet, so its shader, the dearest, runs once
 a pixel; fishes come after it because their fins are blended over what lies behind.
@@ -14,6 +14,7 @@ from systems.view.draw_fish import DrawFish
 from systems.view.draw_ground import DrawGround
 from systems.view.draw_motes import DrawMotes
 from systems.view.draw_rocks import DrawRocks
+from systems.view.draw_rubble import DrawRubble
 from systems.view.draw_water import DrawWater
 from systems.view.frame import FrameBlock, Look
 from systems.view.target import start_drawing, stop_drawing
@@ -66,7 +67,8 @@ class Scene:
         defines = self.quality.defines
         self._frame = FrameBlock(smooth=quality == "high")
         self._ground = DrawGround(world.terrain, self._look.sun(), defines)
-        self._rocks = DrawRocks(world.terrain, defines)
+        self._rocks = DrawRocks(world.terrain, self._look.sun(), defines)
+        self._rubble = DrawRubble(world.terrain, self._look.sun(), defines)
         self._water = DrawWater(defines)
         self._fish = DrawFish(world.species, world.library)
         self._motes = DrawMotes(self.quality.motes)
@@ -81,6 +83,7 @@ class Scene:
         self._frame.update(camera, width, height, seconds, self._look)
         self._ground.draw(camera, aspect)
         self._rocks.draw(camera, aspect, height)
+        self._rubble.draw(camera, aspect)
         self._water.draw()
         self._fish.draw(
             *(self._world.population, camera, alpha, seconds, height, self._look.visibility),
@@ -92,6 +95,6 @@ class Scene:
     def delete(self) -> None:
         """Free all that the scene holds on the GPU."""
         for part in (
-            *(self._frame, self._ground, self._rocks, self._water, self._fish, self._motes),
+            *(self._frame, self._ground, self._rocks, self._rubble, self._water, self._fish, self._motes),
         ):
             part.delete()

@@ -1,7 +1,6 @@
 """Pictures taken without a window: `reefgame shot` and whoever wants one of a world."""
 
 import argparse
-import os
 from pathlib import Path
 
 import numpy as np
@@ -10,24 +9,21 @@ from components.arrays import Float64s
 from components.camera import Camera, camera_towards
 from components.clock import TICKS_PER_SECOND
 from components.fish import Population
-from components.repertoire import pack
+from components.repertoire import RepertoireLibrary, pack
 from components.species import Species
-from components.terrain import clearance
-from reefgame.console import InputError, progress_bar
-from reefgame.content import load, load_species
-from reefgame.filming import cockpit
+from reefgame.console import progress_bar
+from reefgame.content import load_species
+from reefgame.filming import COCKPIT_SLOPE, cockpit
+from reefgame.opening import open_level
+from reefgame.output import check_output, replacing
 from reefgame.scene import QUALITIES, Scene
+from reefgame.viewpoint import viewpoint
 from reefgame.world import World
 from systems.view.context import ensure_context
 from systems.view.draw_fish import DrawFish
 from systems.view.draw_water import DrawWater
 from systems.view.frame import FrameBlock, Look
 from systems.view.target import Target, UInt8s, start_drawing, stop_drawing, write_png
-
-_VIEW_METRES = 2.4
-"""How far from the middle of a school its picture is taken."""
-_FREE_METRES = 0.5
-"""How much water a viewpoint needs around it."""
 
 
 def take_picture(
@@ -64,7 +60,7 @@ def shoot(options: argparse.Namespace) -> None:
 
     Raise ContentError, InputError, NoOpenGLError or TargetError, one line each.
     """
-    check_writable(options.output)
+    check_output(options.output)
     ensure_context()
     if options.species is not None:
         drawn = portrait(load_species(options.species, options.mod), *options.size)
@@ -73,36 +69,35 @@ def shoot(options: argparse.Namespace) -> None:
         seconds = options.tick / TICKS_PER_SECOND
         width, height = options.size
         drawn = picture(world, _camera(world, options), width, height, seconds)
-    write_png(options.output, drawn)
-
-
-def check_writable(path: Path) -> None:
-    """Raise InputError where no picture can be written at `path`, before any work is done."""
-    if path.is_dir() or not path.absolute().parent.is_dir():
-        raise InputError(f"{path}: cannot be written: its folder is missing, or it is one itself")
-    if not os.access(path.absolute().parent, os.W_OK):
-        raise InputError(f"{path}: cannot be written: its folder is protected")
+    with replacing(options.output) as fresh:
+        write_png(fresh, drawn)
 
 
 def portrait(species: Species, width: int, height: int, seconds: float = 0.0) -> UInt8s:
     """Return the right side of an adult `species` in open water, (height, width, 3)."""
-    look = Look(sun_azimuth=250.0)
+    look, library = Look(sun_azimuth=250.0), pack([species.repertoire])
     at = np.array([0.0, 0.0, -4.0])
     slope = 0.41
-    away = 0.62 * species.length / slope * max(1.0, height / width * 1.2)
+    away = 0.47 * species.length / slope * max(1.0, height / width * 1.2)
     camera = camera_towards(at + np.array([0.25, -1.0, 0.12]) * away, at, slope)
     with Target(width, height, QUALITIES["high"].samples) as target:
         frame, water, fish = (
             FrameBlock(),
             DrawWater(),
-            DrawFish([species], pack([species.repertoire])),
+            DrawFish([species], library),
         )
         target.bind()
         start_drawing(width, height)
         frame.update(camera, width, height, seconds, look)
         water.draw()
         fish.draw(
-            _alone(species, at), camera, 1.0, seconds, height, look.visibility, width / height
+            _alone(species, library, at),
+            camera,
+            1.0,
+            seconds,
+            height,
+            look.visibility,
+            width / height,
         )
         stop_drawing()
         drawn = target.read()
@@ -111,13 +106,16 @@ def portrait(species: Species, width: int, height: int, seconds: float = 0.0) ->
     return drawn
 
 
-def _alone(species: Species, at: Float64s) -> Population:
+def _alone(species: Species, library: RepertoireLibrary, at: Float64s) -> Population:
     """Return a population of one adult that looks along x, upright, in its first frame."""
     population = Population()
     row = population.append(np.zeros(1, np.int64))
     fish = population.fish
     fish.length[row] = species.length
-    fish.position[row] = fish.last_position[row] = at
+    # Its origin lies ahead of its middle.
+    ends = library.shape[0, :, 0]
+    middle = np.array([0.5 * (ends.max() + ends.min()) * species.length, 0.0, 0.0])
+    fish.position[row] = fish.last_position[row] = at - middle
     # Columns: anterior along x, dorsal up, right along -y.
     upright = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
     fish.rotation[row] = fish.last_rotation[row] = upright
@@ -126,9 +124,7 @@ def _alone(species: Species, at: Float64s) -> Population:
 
 def _dived(options: argparse.Namespace) -> World:
     """Return the level's world after the ticks asked for."""
-    with progress_bar("loading") as report:
-        content = load(options.level, options.mod, report)
-        world = World.build(content, options.seed or 0)
+    world = World.build(open_level(options.level, options.mod), options.seed or 0)
     with progress_bar("diving") as report:
         for tick in range(options.tick):
             world.tick()
@@ -137,28 +133,8 @@ def _dived(options: argparse.Namespace) -> World:
     return world
 
 
-def viewpoint(world: World) -> Camera:
-    """Return a camera a little way from the largest group of fishes, on the submarine's side of it.
-
-    The submarine's own camera where there is no such free place.
-    """
-    ship, fish = cockpit(world), world.population.fish
-    if not fish.count:
-        return ship
-    species = fish.species[: fish.count]
-    group = fish.position[: fish.count][species == np.bincount(species).argmax()]
-    middle = np.median(group, axis=0)
-    towards = ship.eye - middle
-    far = max(float(np.sqrt(towards @ towards)), 1e-6)
-    eye = middle + towards * min(_VIEW_METRES / far, 1.0) - np.array([0.0, 0.0, 0.1])
-    eye[2] = min(eye[2], -1.0)
-    if clearance(world.terrain, eye[0], eye[1], eye[2])[0] < _FREE_METRES:
-        return ship
-    return camera_towards(eye, middle - np.array([0.0, 0.0, 0.5]))
-
-
 def _camera(world: World, options: argparse.Namespace) -> Camera:
     if options.at is None:
         return viewpoint(world)
     eye = cockpit(world).eye if options.eye is None else np.array(options.eye)
-    return camera_towards(eye, np.array(options.at))
+    return camera_towards(eye, np.array(options.at), COCKPIT_SLOPE)
