@@ -57,7 +57,7 @@ def crags(rng: np.random.Generator, at: Float64s) -> Float64s:
     shape += 0.016 * (np.abs(waves(rng, at, 7.0)) - 0.4) + 0.010 * waves(rng, at, 14.0)
     crack = waves(rng, bent, 4.2) / 0.07
     shape -= 0.06 * np.exp(-crack * crack)
-    return np.asarray(np.clip(shape, -LUMPS, LUMPS))
+    return np.asarray(np.clip(shape, -0.999 * LUMPS, 0.999 * LUMPS))
 
 
 def chipped(rng: np.random.Generator, at: Float64s) -> Float64s:

@@ -24,7 +24,7 @@ class Sea:
     def __init__(self, seabed: Terrain) -> None:
         self.frame, self.water, self.motes = FrameBlock(), DrawWater(), DrawMotes()
         self.ground = DrawGround(seabed, Look().sun())
-        self.rocks = DrawRocks(seabed)
+        self.rocks = DrawRocks(seabed, Look().sun())
 
     def picture(
         self,
