@@ -5,7 +5,9 @@ from pathlib import Path
 
 from reefgame.console import complain, progress_bar
 from reefgame.content import Content, load
-from reefgame.warmup import warm_up
+from reefgame.content.catalogue import LEVEL
+from reefgame.content.loading import find
+from reefgame.warmup import is_warm, warm_up
 
 
 def open_level(level: str, mods: Sequence[Path], compiled: bool = True) -> Content:
@@ -13,10 +15,12 @@ def open_level(level: str, mods: Sequence[Path], compiled: bool = True) -> Conte
 
     Where `compiled`, every kernel is ready before this returns. Raise ContentError.
     """
+    if compiled and not is_warm():
+        # A level that is not there is told before the long work.
+        find(LEVEL, level, mods)
+        warm_up()
     with progress_bar("loading") as report:
         content = load(level, mods=mods, progress=report)
     for mod in content.disabled:
         complain(str(mod))
-    if compiled:
-        warm_up()
     return content

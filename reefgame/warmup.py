@@ -22,7 +22,7 @@ from reefgame.content import load
 from reefgame.world import World
 
 DOING: Final = "compiling kernels (first launch only)"
-_KERNELS: Final = 124
+_KERNELS: Final = 114
 """Kernels that a first launch compiles, callees included; only the bar's length stands on it."""
 _LEVEL: Final = "first_dive"
 
@@ -32,13 +32,18 @@ def warm_up(report: Report | None = None) -> None:
 
     It is called before the first tick and never needs to be: without a terminal to show a bar on, it does nothing.
     """
-    if numba.config.DISABLE_JIT or (stamp().exists() if CACHED else False):
+    if is_warm():
         return
     if report is not None:
         _compile_all(report)
     elif sys.stderr is not None and sys.stderr.isatty():
         with progress_bar(DOING) as bar:
             _compile_all(bar)
+
+
+def is_warm() -> bool:
+    """Return whether a launch has nothing to compile, by all that can be told at once."""
+    return bool(numba.config.DISABLE_JIT) or (CACHED and stamp().exists())
 
 
 def stamp() -> Path:

@@ -8,7 +8,8 @@ import numba
 import pytest
 
 from components import kernels
-from reefgame import warmup
+from reefgame import opening, warmup
+from reefgame.content import ContentError
 from reefgame.warmup import DOING, counting_kernels, stamp, warm_up
 
 Reports = list[tuple[float, str]]
@@ -93,3 +94,23 @@ def test_the_stamp_lies_with_the_kernels_and_follows_their_sources(
     assert kernels.sources_hash(Path(str(warmup.__file__)))
     monkeypatch.setattr(warmup, "sources_hash", lambda _: "edited")
     assert stamp() != before
+
+
+def test_a_level_that_is_not_there_is_told_before_the_long_work(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(opening, "is_warm", lambda: False)
+    monkeypatch.setattr(opening, "warm_up", lambda: pytest.fail("kernels were compiled"))
+    with pytest.raises(ContentError, match="there is no level 'frist_dive'"):
+        opening.open_level("frist_dive", [])
+
+
+def test_kernels_are_compiled_once_as_a_level_opens(monkeypatch: pytest.MonkeyPatch) -> None:
+    warmed: list[str] = []
+    monkeypatch.setattr(opening, "is_warm", lambda: bool(warmed))
+    monkeypatch.setattr(opening, "warm_up", lambda: warmed.append("compiled"))
+    assert opening.open_level("visitors", [], compiled=False).level.name == "visitors"
+    assert warmed == []
+    opening.open_level("visitors", [])
+    opening.open_level("visitors", [])
+    assert warmed == ["compiled"]
