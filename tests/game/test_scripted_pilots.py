@@ -1,11 +1,13 @@
 """Scripted pilots win what can be won, from any seed."""
 
+from typing import Any
+
 import pytest
 
 from reefgame.autopilot import Photographer, idle
 from reefgame.testing import play
 
-SEEDS = [1, 2, 3]
+SEEDS: list[Any] = [1, 2, 3]
 MORE_SEEDS = [pytest.param(seed, marks=pytest.mark.prove) for seed in range(4, 21)]
 
 

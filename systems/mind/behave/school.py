@@ -78,7 +78,8 @@ def _behind(crowd: Crowd, me: int, shoal: Float64s, number: float, spacing: floa
     place = 2.0 * uniform(0, PLACE_IN_SCHOOL, 0, crowd.id[me]) - 1.0
     half = _LENGTHEN * spacing * sqrt(sqrt(number + 1.0))
     ahead = shoal[0] * crowd.hx[me] + shoal[1] * crowd.hy[me] + shoal[2] * crowd.hz[me]
-    return (ahead + place * half) / crowd.length[me]
+    lag: float = (ahead + place * half) / crowd.length[me]
+    return lag
 
 
 @inlined
