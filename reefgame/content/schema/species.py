@@ -37,6 +37,8 @@ class BodyShape(Strict):
     """Half the height of the body at each."""
     stiffness: Annotated[float, Field(ge=0.2, le=5.0)] = 1.0
     """Scale of all springs: 1 for most fishes."""
+    snout: Annotated[float, Field(ge=0.45, le=1.3)] = 0.6
+    """How pointed the snout is: 0.5 is blunt, 1 a cone."""
 
     @field_validator("at_bl")
     @classmethod
@@ -59,6 +61,8 @@ class MedianFin(Strict):
     """How far it stands out."""
     lean_bl: Annotated[float, Field(ge=-0.2, le=0.3)] = 0.04
     """How far its tip leans back."""
+    profile: Annotated[tuple[Fraction, ...], Field(max_length=40)] = ()
+    """Its outline: heights at even steps from front to rear, 0 none to 1 height_bl; one of its own where left out."""
 
     @field_validator("to_bl")
     @classmethod
@@ -79,6 +83,17 @@ class Pectoral(Strict):
     """How long they are."""
     height: Annotated[float, Field(ge=-1.0, le=1.0)] = -0.2
     """Where they are rooted, from -1 at the belly to 1 at the back."""
+    held_out: bool = False
+    """Held out like wings, as sharks do, instead of sculling."""
+
+
+class Pelvic(Strict):
+    """The pair of fins under the belly."""
+
+    at_bl: Annotated[float, Field(ge=0.05, le=0.85)]
+    """Where they are rooted."""
+    length_bl: Annotated[float, Field(ge=0.0, le=0.5)]
+    """How long they are."""
 
 
 class Tail(Strict):
@@ -88,6 +103,12 @@ class Tail(Strict):
     """Half its height."""
     fork_bl: Annotated[float, Field(ge=-0.1, le=0.2)] = 0.06
     """How deeply it is forked; below 0 it is rounded."""
+    upper: Annotated[float, Field(ge=0.3, le=2.0)] = 1.0
+    """Height of the upper lobe, over half_span_bl: above 1 in sharks."""
+    lower: Annotated[float, Field(ge=0.3, le=1.5)] = 1.0
+    """Height and length of the lower lobe, over those of an even tail."""
+    slender: Fraction = 0.0
+    """0: broad lobes; 1: slender ones, a lyre or a crescent."""
 
 
 class Fins(Strict):
@@ -97,6 +118,8 @@ class Fins(Strict):
     dorsal: MedianFin | None = None
     anal: MedianFin | None = None
     pectoral: Pectoral = Pectoral()
+    pelvic: Pelvic | None = None
+    """Where null: behind the pectoral fins, two thirds as long."""
 
 
 class SwimStyle(Strict):
@@ -113,6 +136,9 @@ class SwimStyle(Strict):
 
 
 Height: TypeAlias = Annotated[float, Field(ge=-1.0, le=1.0)]
+BeyondHeight: TypeAlias = Annotated[float, Field(ge=-1.5, le=1.5)]
+BandPlace: TypeAlias = tuple[Annotated[float, Field(ge=-0.1, le=1.1)], BeyondHeight]
+"""s and h; a band may run beyond the body's borders."""
 Extent: TypeAlias = Annotated[float, Field(ge=0.005, le=2.0)]
 
 
@@ -197,12 +223,99 @@ class ScalesLayer(Strict):
     paint: Literal["scales"]
     size: Annotated[float, Field(ge=0.004, le=0.2)] = 0.02
     strength: Fraction = 0.25
+    rim: Colour | None = None
+    """Colour of each scale's rear border."""
+
+
+class BandLayer(Strict):
+    """A smooth band through points: masks, lines on a face, bars that bend."""
+
+    paint: Literal["band"]
+    colour: Colour
+    points: Annotated[tuple[BandPlace, ...], Field(min_length=2, max_length=12)]
+    """[s, h] each."""
+    width: Annotated[
+        tuple[Annotated[float, Field(ge=0.0, le=0.6)], ...], Field(min_length=1, max_length=12)
+    ]
+    """Along the band, evenly spaced (s): [0.02] is as wide everywhere."""
+    softness: Fraction = 0.01
+    edge: Colour | None = None
+    """Colour of a thin rim."""
+    edge_width: Annotated[float, Field(ge=0.0, le=0.2)] = 0.008
+
+
+class HatchLayer(Strict):
+    """Many fine parallel lines at one angle."""
+
+    paint: Literal["hatch"]
+    colour: Colour
+    spacing: Annotated[float, Field(ge=0.008, le=0.5)]
+    """From one line to the next (s)."""
+    width: Annotated[float, Field(ge=0.002, le=0.5)]
+    tilt_deg: Annotated[float, Field(ge=-90.0, le=90.0)] = 0.0
+    """0 along the body; above 0 they rise towards the tail."""
+    bow: Annotated[float, Field(ge=-0.5, le=0.5)] = 0.0
+    """How far their middle bulges upwards (s)."""
+    softness: Annotated[float, Field(ge=0.0, le=0.5)] = 0.006
+    reach: tuple[Height, Height] = (0.0, 1.0)
+    """The places s between which they are drawn."""
+    height: tuple[BeyondHeight, BeyondHeight] = (-1.1, 1.1)
+    """The heights h between which they are drawn."""
+    fade: Annotated[float, Field(ge=0.001, le=0.5)] = 0.05
+    """Over how much of s they begin and end."""
+    wobble: Fraction = 0.0
+    """Unevenness."""
 
 
 SkinLayer: TypeAlias = Annotated[
-    GradientLayer | StripesLayer | SpotsLayer | PatchLayer | ScalesLayer,
+    GradientLayer
+    | StripesLayer
+    | SpotsLayer
+    | PatchLayer
+    | BandLayer
+    | HatchLayer
+    | ScalesLayer,
     Field(discriminator="paint"),
 ]
+
+
+class MouthLook(Strict):
+    """The slit of the mouth."""
+
+    front: BodyPlace
+    """[s, h] of its front end."""
+    corner: BodyPlace
+    """[s, h] of its corner."""
+
+
+FinName: TypeAlias = Literal["dorsal", "anal", "tail", "pectoral", "pelvic"]
+FinPlace: TypeAlias = Annotated[float, Field(ge=-0.5, le=1.5)]
+
+
+class FinPatchMark(Strict):
+    """A soft ellipse on a fin. Places are [along, out]: 0 front (tail: upper border) to 1; 0 root to 1 edge."""
+
+    paint: Literal["patch"]
+    fin: FinName
+    colour: Colour
+    at: tuple[FinPlace, FinPlace]
+    size: tuple[Extent, Extent]
+    softness: Fraction = 0.15
+
+
+class FinLinesMark(Strict):
+    """Lines along a fin, parallel to its edge."""
+
+    paint: Literal["lines"]
+    fin: FinName
+    colour: Colour
+    at: Annotated[tuple[FinPlace, ...], Field(min_length=1, max_length=8)]
+    """0 root to 1 edge."""
+    width: Annotated[float, Field(ge=0.005, le=1.0)]
+    softness: Fraction = 0.05
+
+
+FinMark: TypeAlias = Annotated[FinPatchMark | FinLinesMark, Field(discriminator="paint")]
 
 
 class EyeLook(Strict):
@@ -218,12 +331,26 @@ class EyeLook(Strict):
 class SkinLook(Strict):
     """Layers painted one over the other, the eye and the colours of the fins."""
 
-    layers: Annotated[tuple[SkinLayer, ...], Field(min_length=1, max_length=12)]
+    layers: Annotated[tuple[SkinLayer, ...], Field(min_length=1, max_length=24)]
     eye: EyeLook = EyeLook()
     fins: Colour
     """Colour of dorsal, anal and pectoral fins."""
+    dorsal: Colour | None = None
+    """Colour of the dorsal fin, where it differs from the others."""
+    anal: Colour | None = None
+    """Colour of the anal fin, where it differs from the others."""
+    pelvic: Colour | None = None
+    """Colour of the pelvic fins, where it differs from the pectoral ones'."""
     fins_edge: Colour | None = None
     """Colour of the outer rim of dorsal and anal fins."""
+    fins_edge_width: Fraction = 0.2
+    """Width of that rim, over the fin's height."""
+    fins_follow: Fraction = 0.0
+    """How far dorsal and anal fins go on with the colours of the body beside them."""
+    fins_tip: Colour | None = None
+    """Colour of all fins' tips."""
+    fin_marks: Annotated[tuple[FinMark, ...], Field(max_length=12)] = ()
+    """Patches and lines on fins."""
     fins_opacity: Fraction = 0.8
     """How little shines through the fins."""
     pectoral: Colour | None = None
@@ -236,6 +363,10 @@ class SkinLook(Strict):
     """Where the gill cover ends."""
     gill_strength: Fraction = 0.5
     """How dark the gill cover's line is."""
+    gill_slits: Annotated[int, Field(ge=0, le=7)] = 0
+    """A shark's open slits, instead of a cover; `gill_at` is the last one's place."""
+    mouth: MouthLook | None = None
+    """A small one at the snout's tip where left out."""
     shine: Fraction = 0.3
     """Strength of the silvery glint."""
 
