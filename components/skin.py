@@ -206,5 +206,7 @@ class Skin:
     "how far dorsal and anal fins go on with the colours of the body beside them, 0 to 1"
     fin_tip: Colour | None = None
     "colour of all fins' tips"
+    fin_rays: float = 1.0
+    "how much fin rays stand out, 0 none to 1"
     fin_marks: tuple[FinMark, ...] = ()
     "what is painted on fins"

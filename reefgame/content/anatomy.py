@@ -34,8 +34,8 @@ def body_of(file: SpeciesFile) -> Body:
         tail_lower=fins.tail.lower,
         tail_slender=fins.tail.slender,
         pectoral_held=fins.pectoral.held_out,
-        pelvic_at=fins.pelvic and fins.pelvic.at_bl,
-        pelvic_length=fins.pelvic and fins.pelvic.length_bl,
+        pelvic_at=None if fins.pelvic is None else fins.pelvic.at_bl,
+        pelvic_length=None if fins.pelvic is None else fins.pelvic.length_bl,
     )
 
 

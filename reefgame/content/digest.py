@@ -14,8 +14,11 @@ from reefgame.content.schema.level import Level
 from reefgame.content.schema.species import SpeciesFile
 
 _LEVEL_WORDS: Final = frozenset({"title", "brief", "prompts", "overrides"})
-_SPECIES_LOOKS: Final = {
-    **dict.fromkeys(("title", "like", "overrides", "skin"), True),
+_SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
+    "title": True,
+    "like": True,
+    "overrides": True,
+    "skin": True,
     "body": {"snout": True},
     "fins": {
         "tail": {"upper": True, "lower": True, "slender": True},

@@ -1,7 +1,7 @@
 """A skin as a species file says it, turned into the layers that the view paints (components/skin.py)."""
 
 from components import skin
-from reefgame.content.schema import species as said
+from reefgame.content.schema import skins as said
 
 
 def colour_of(text: str) -> skin.Colour:
@@ -115,5 +115,6 @@ def skin_of(look: said.SkinLook) -> skin.Skin:
         fin_edge_width=look.fins_edge_width,
         fin_follow=look.fins_follow,
         fin_tip=_or_none(look.fins_tip),
+        fin_rays=look.fins_rays,
         fin_marks=tuple(_mark(mark) for mark in look.fin_marks),
     )

@@ -50,10 +50,10 @@ def gill_slits(canvas: Canvas, skin: Skin) -> None:
     for slit in range(skin.gill_slits):
         at = skin.gill_at - 0.0125 * slit
         behind = canvas.s - at + 0.02 * (canvas.h + 0.1) ** 2 + 0.006 * canvas.h
-        line = np.exp(-((behind / 0.0022) ** 2)) * limit
+        line = np.exp(-((behind / 0.0018) ** 2)) * limit
         lip = np.exp(-(((behind + 0.004) / 0.003) ** 2)) * limit
-        canvas.shade(1.0 - skin.gill_strength * (line - 0.2 * lip))
-        canvas.relief += skin.gill_strength * (0.2 * lip - 0.3 * line)
+        canvas.shade(1.0 - skin.gill_strength * (0.8 * line - 0.12 * lip))
+        canvas.relief += skin.gill_strength * (0.08 * lip - 0.12 * line)
 
 
 def mouth(canvas: Canvas, skin: Skin, outline: Outline) -> None:
@@ -65,8 +65,10 @@ def mouth(canvas: Canvas, skin: Skin, outline: Outline) -> None:
     else:
         (start, front), (long, corner) = skin.mouth.front, skin.mouth.corner
         rise = height_of(outline, long, corner) - height_of(outline, start, front)
-        level = height_of(outline, start, front) + rise * (canvas.s - start) / (long - start)
-    along = np.clip((long - canvas.s) / (0.35 * (long - start)), 0.0, 1.0)
+        level = height_of(outline, start, front) + rise * (canvas.s - start) / max(
+            long - start, 1e-3
+        )
+    along = np.clip((long - canvas.s) / max(0.35 * (long - start), 1e-3), 0.0, 1.0)
     along = along * np.clip((canvas.s - start) / 0.004 + 1.0, 0.0, 1.0)
     above = canvas.side - level
     line = np.exp(-((above / 0.0032) ** 2)) * along

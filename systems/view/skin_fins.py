@@ -42,19 +42,27 @@ def paint_fins(picture: Float64s, skin: Skin, canvas: Canvas, body: Body) -> Non
         _blade(picture, skin, name, box, wave, body.pectoral_held)
 
 
-def _rays(phase: Float64s) -> Float64s:
-    """Return 1 on a fin ray and 0 on the membrane between, one ray a unit of `phase`."""
-    return (0.5 + 0.5 * np.cos(2.0 * np.pi * phase)) ** 2
+def _rays(skin: Skin, phase: Float64s) -> Float64s:
+    """Return 1 on a fin ray and less on the membrane between, one ray a unit of `phase`."""
+    between = 1.0 - (0.5 + 0.5 * np.cos(2.0 * np.pi * phase)) ** 2
+    return 1.0 - skin.fin_rays * between
 
 
-def _marked(skin: Skin, name: FinName, colour: Float64s, along: Float64s, out: Float64s) -> Float64s:
-    """Lay the skin's marks on a fin over `colour`, (rows, columns, 3); return how much they cover."""
+def _marked(
+    skin: Skin, name: FinName, colour: Float64s, along: Float64s, out: Float64s, limit: Float64s
+) -> Float64s:
+    """Lay the skin's marks on a fin over `colour`, (rows, columns, 3); return how much they cover.
+
+    Patches lie at distances `out` from the root; lines follow the fin's edge, which is `limit` away.
+    """
     covered = np.zeros(colour.shape[:2])
     for mark in skin.fin_marks:
         if mark.fin != name:
             continue
         if isinstance(mark, FinLines):
-            lines = [np.abs(out - at) - 0.5 * mark.width for at in mark.at]
+            lines = [
+                np.abs(out / np.maximum(limit, 0.05) - at) - 0.5 * mark.width for at in mark.at
+            ]
             cover = inside_of(np.minimum.reduce(lines), mark.softness)
         else:
             (x, y), (long, high) = mark.at, mark.size
@@ -77,11 +85,11 @@ def _caudal(picture: Float64s, skin: Skin, flesh: Float64s) -> None:
     rows, columns, r, down = unboxed(CAUDAL_BOX)
     q = 1.0 - 2.0 * down
     fork = np.clip((r - 0.45) / 0.1, 0.0, 1.0)
-    rays = _rays(8.5 * q) * (1.0 - fork) + _rays(17.0 * q + 0.25) * fork
+    rays = _rays(skin, 8.5 * q) * (1.0 - fork) + _rays(skin, 17.0 * q + 0.25) * fork
     joints = 0.9 + 0.1 * np.cos(2 * np.pi * r * 26.0)
     colour = np.array(skin.tail) * (0.8 + 0.3 * rays * joints - 0.12 * r)[..., None]
     along, out = np.broadcast_to(down, rays.shape), np.broadcast_to(r, rays.shape)
-    covered = _marked(skin, "tail", colour, along, out)
+    covered = _marked(skin, "tail", colour, along, out, np.ones_like(r))
     covered = np.maximum(covered, _tipped(skin, colour, out * np.clip(1.7 * np.abs(q) - 0.4, 0, 1)))
     if skin.tail_edge is not None:
         rim = inside_of(0.78 - np.abs(q) + 0.12 * r, 0.12) * inside_of(0.06 - r, 0.1)
@@ -89,7 +97,9 @@ def _caudal(picture: Float64s, skin: Skin, flesh: Float64s) -> None:
     base = inside_of(r - 0.13 - 0.06 * np.cos(9.0 * q), 0.16)
     colour += (flesh - colour) * np.broadcast_to(base, rays.shape)[..., None]
     notches = 0.012 * (1.0 - rays)
-    opaque = skin.fin_opacity + (1.0 - skin.fin_opacity) * np.maximum(np.maximum(rays, base), covered)
+    opaque = skin.fin_opacity + (1.0 - skin.fin_opacity) * np.maximum(
+        np.maximum(rays, base), covered
+    )
     opaque = opaque * (1.0 - 0.25 * r**3)
     corner = np.hypot(np.clip(np.abs(q) - 0.86, 0, 1) / 0.14, np.clip(r - 0.9, 0, 1) / 0.1)
     edge = inside_of(r - 0.985 + notches, 0.02) * inside_of(corner - 0.95, 0.2)
@@ -124,11 +134,11 @@ def _median(
     limit = _limit(fin, v)
     own = (skin.dorsal if name == "dorsal" else skin.anal) or skin.fin
     ground = np.array(own) + (beside - np.array(own)) * skin.fin_follow
-    rays = _rays(22.0 * (v - 0.05 * out)) * np.ones_like(out)
+    rays = _rays(skin, 22.0 * (v - 0.05 * out)) * np.ones_like(out)
     spines = inside_of(v - 0.5, 0.1)
     colour = ground[None, :, :] * (0.82 + 0.28 * rays - 0.1 * out)[..., None]
     along = np.broadcast_to(v, rays.shape)
-    covered = _marked(skin, name, colour, along, out / np.maximum(limit, 0.05))
+    covered = _marked(skin, name, colour, along, out * np.ones_like(v), limit)
     covered = np.maximum(covered, _tipped(skin, colour, out * np.ones_like(v)))
     if skin.fin_edge is not None:
         rim = np.broadcast_to(inside_of(limit - skin.fin_edge_width - out, 0.1), rays.shape)
@@ -137,24 +147,25 @@ def _median(
     colour += (beside[None] - colour) * (0.8 * base)[..., None]
     solid = np.maximum(np.maximum(0.8 * rays, base), covered)
     opaque = skin.fin_opacity + (1.0 - skin.fin_opacity) * solid
-    notch = (0.03 + 0.09 * spines * (name == "dorsal")) * (1.0 - rays) * np.minimum(1.0, 2.0 * limit)
+    notch = (
+        (0.03 + 0.09 * spines * (name == "dorsal")) * (1.0 - rays) * np.minimum(1.0, 2.0 * limit)
+    )
     ends = inside_of(0.004 - v, 0.02) * inside_of(v - 0.99, 0.02)
     picture[rows, columns, :3] = colour
     picture[rows, columns, 3] = opaque * inside_of(out - 0.975 * limit + notch, 0.04) * ends
 
 
-def _blade(
-    picture: Float64s, skin: Skin, name: FinName, box: Box, wave: float, held: bool
-) -> None:
+def _blade(picture: Float64s, skin: Skin, name: FinName, box: Box, wave: float, held: bool) -> None:
     rows, columns, r, down = unboxed(box)
     q = 1.0 - 2.0 * down
-    rays = _rays(wave * q + 0.5) * (0.25 if held else 1.0)
+    rays = _rays(skin, wave * q + 0.5)
     own = skin.pectoral or skin.fin
     if name == "pelvic":
         own = skin.pelvic or own
     colour = np.array(own) * (0.8 + 0.35 * rays - 0.1 * r)[..., None]
     along, out = (np.broadcast_to(place, colour.shape[:2]) for place in (down, r))
-    covered = np.maximum(_marked(skin, name, colour, along, out), _tipped(skin, colour, out))
+    covered = _marked(skin, name, colour, along, out, np.ones_like(r))
+    covered = np.maximum(covered, _tipped(skin, colour, out))
     reach = 0.98 - 0.28 * np.abs(q) ** 2.6 - 0.02 * (1.0 - rays)
     ground = 0.8 * skin.fin_opacity
     opaque = (ground + (1.0 - ground) * np.maximum(rays, covered)) * (1.0 - 0.2 * r * (not held))

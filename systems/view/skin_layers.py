@@ -1,4 +1,4 @@
-"""Paints the layers that a modder lists: gradients, stripes, spots, patches, bands, hatching, scales (components/skin.py)."""
+"""Paints the layers that a modder lists (components/skin.py)."""
 
 from typing import Final
 
@@ -8,7 +8,6 @@ from components.arrays import Float64s
 from components.skin import Band, Gradient, Hatch, Layer, Patch, Scales, Skin, Spots, Stripes
 from systems.view.fish_outline import Outline
 from systems.view.skin_canvas import Canvas, distance_to, ease, height_of, inside_of
-
 
 _STEPS: Final = 6
 """Straight pieces from one point of a band to the next."""
