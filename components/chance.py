@@ -19,6 +19,7 @@ HEADING: Final = 4
 SEGMENT: Final = 5
 NOISE: Final = 6
 SCATTER: Final = 7
+PLACE_IN_SCHOOL: Final = 8
 
 
 @row

@@ -168,7 +168,8 @@ class _KernelCache(FunctionCache):  # type: ignore[misc]  # numba is untyped
 
 
 def _compile(function: _Kernel, kind: str, **options: bool) -> _Kernel:
-    compiled = numba.njit(error_model="numpy", **options)(function)
+    # Nobody calls a kernel from C: its wrapper would cost a tenth of the compile time.
+    compiled = numba.njit(error_model="numpy", no_cfunc_wrapper=True, **options)(function)
     if (
         CACHED
         and isinstance(compiled, Dispatcher)

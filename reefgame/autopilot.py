@@ -6,16 +6,23 @@ commands, so a replay never asks them again.
 """
 
 from collections.abc import Callable
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 import numpy as np
 
 from components.arrays import Float64s
 from components.clock import TICKS_PER_SECOND
 from components.command import FULL, Command
+from components.submarine import HULL_RADIUS
+from components.terrain import clearance
 from components.trigonometry import DEGREE
 from reefgame.world import World
 from systems.play.judge import viewfinder
+
+_LOOK_AHEAD: Final = np.array([0.0, 1.0, 2.0, 3.0, 4.5])
+"""[m] along the way at which a pilot looks for obstacles."""
+_BERTH: Final = HULL_RADIUS + 0.6
+"""[m] kept from them."""
 
 PilotScript: TypeAlias = Callable[[World], Command]
 """Called before each tick with the world; returns the tick's command."""
@@ -40,7 +47,7 @@ def tour(world: World) -> Command:
 
 
 class Photographer:
-    """Follows the school that the objective asks for and releases the shutter when enough fishes are framed.
+    """Goes ahead of the school that the objective asks for, lets it pass by, and photographs it from the side.
 
     It waits until `earliest` [s] of the dive have passed and the frame was good for `patience` [ticks].
     """
@@ -50,18 +57,39 @@ class Photographer:
         self.patience = patience
         self.pace = pace
         self._waited = 0
+        self._watching = False
 
     def __call__(self, world: World) -> Command:
         """Return the command of the tick."""
         goal = world.goals[0]
         fish = world.population.fish
-        school = fish.position[: fish.count][fish.species[: fish.count] == goal.species]
-        if not len(school):
+        chosen = fish.species[: fish.count] == goal.species
+        if not chosen.any():
             return Command(stop=1)
-        heart = densest(school, goal.within * 0.5)
-        away = float(np.linalg.norm(heart - world.submarine.position[0])) - 0.6 * goal.within
-        command = steer(world, heart, speed=self.pace * min(1.0, max(0.0, away / 4.0)))
+        heart, heading = densest(
+            fish.position[: fish.count][chosen],
+            fish.rotation[: fish.count, :, 0][chosen],
+            goal.within * 0.5,
+        )
+        command = self._follow(world, heart, heading, goal.within)
         return command._replace(photograph=int(self._ready(world, goal.count)))
+
+    def _follow(self, world: World, heart: Float64s, heading: Float64s, within: float) -> Command:
+        """Go to a station before the school and beside its course; from there, turn to watch it pass."""
+        here = world.submarine.position[0]
+        aside = np.array([-heading[1], heading[0], 0.0])
+        aside *= np.copysign(0.4 * within, aside @ (here - heart)) / max(
+            np.linalg.norm(aside), 1e-6
+        )
+        station = heart + 0.5 * within * heading + aside
+        if self._watching:
+            self._watching = bool(np.linalg.norm(heart - here) < 0.8 * within)
+        else:
+            self._watching = bool(np.linalg.norm(station - here) < 0.25 * within)
+        if self._watching:
+            return steer(world, heart, 0.0)
+        away = float(np.linalg.norm(station - here))
+        return steer(world, station, self.pace * min(1.0, 0.15 + away / 8.0))
 
     def _ready(self, world: World, wanted: int) -> bool:
         good = world.objective.framed[0] >= wanted and not world.objective.done[0]
@@ -70,15 +98,22 @@ class Photographer:
         return late and self._waited >= self.patience
 
 
-def densest(points: Float64s, radius: float) -> Float64s:
-    """Return the mean of the points within `radius` [m] of the point that has most others so near; points (n, 3)."""
+def densest(points: Float64s, headings: Float64s, radius: float) -> tuple[Float64s, Float64s]:
+    """Return the middle of the densest group and its mean heading; points [m] and headings are (n, 3).
+
+    The group is who stands within `radius` [m] of the point that has most others so near.
+    """
     apart = np.linalg.norm(points[:, None] - points[None], axis=2) < radius
-    best = int(np.argmax(apart.sum(axis=1)))
-    return np.asarray(points[apart[best]].mean(axis=0), np.float64)
+    group = apart[int(np.argmax(apart.sum(axis=1)))]
+    heading = headings[group].mean(axis=0)
+    return points[group].mean(axis=0), heading / max(float(np.linalg.norm(heading)), 1e-6)
 
 
 def steer(world: World, target: Float64s, speed: float) -> Command:
-    """Return the command that turns to `target` [m] and holds `speed` as a throttle setting, 0 to 1."""
+    """Return the command that turns to `target` [m] and holds `speed` as a throttle setting, 0 to 1.
+
+    What stands in the way is passed above.
+    """
     ship = world.submarine
     away = target - ship.position[0]
     camera = viewfinder(ship)
@@ -90,7 +125,17 @@ def steer(world: World, target: Float64s, speed: float) -> Command:
         throttle=_axis(engine * 4.0),
         turn=_axis(yaw / (25.0 * DEGREE)),
         pitch=_axis(pitch / (25.0 * DEGREE)),
+        rise=_axis(_lift(world, away)),
     )
+
+
+def _lift(world: World, away: Float64s) -> float:
+    """Return how urgently to rise, 0 to 1: something lies between here and the way `away` [m]."""
+    distance = max(float(np.linalg.norm(away)), 1e-6)
+    reach = np.minimum(_LOOK_AHEAD, distance)
+    points = world.submarine.position[0] + np.outer(reach, away / distance)
+    near = min(clearance(world.terrain, *map(float, point))[0] for point in points)
+    return min(max((_BERTH - near) / 0.5, 0.0), 1.0) if points[:, 2].max() < -_BERTH else 0.0
 
 
 def _axis(value: float) -> int:

@@ -8,6 +8,7 @@ from components.repertoire_file import save
 from reefgame.console import InputError, complain, progress_bar, say
 from reefgame.content import read_species
 from reefgame.content.anatomy import body_of, swim_of
+from reefgame.output import check_output, replacing, unwritable
 
 
 def capture_files(paths: Sequence[Path], output: Path | None) -> int:
@@ -17,26 +18,38 @@ def capture_files(paths: Sequence[Path], output: Path | None) -> int:
     checked before the first capture begins. Raise ContentError or InputError.
     """
     named = [read_species(path) for path in paths]
+    for path in paths:
+        _prepare(_target(path, output))
     for path, (_, file) in zip(paths, named, strict=True):
         _capture(path, body_of(file), swim_of(file), file.title, output)
     return 0
 
 
+def _target(path: Path, output: Path | None) -> Path:
+    folder = output or path.absolute().parent.parent / "repertoires"
+    return folder / f"{path.stem}.npz"
+
+
+def _prepare(target: Path) -> None:
+    """Make the folder of `target`, and refuse what could not be written after a long capture."""
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise unwritable(target, error) from None
+    check_output(target)
+
+
 def _capture(path: Path, body: Body, swim: Swim, title: str, output: Path | None) -> None:
     from tools.capture.capture import capture
 
-    folder = output or path.absolute().parent.parent / "repertoires"
-    target = folder / f"{path.stem}.npz"
+    target = _target(path, output)
     try:
         with progress_bar(title) as report:
             repertoire = capture(body, swim, lambda done, what: report(done, f"{title}: {what}"))
     except ValueError as error:
         raise InputError(f"{path}: this body does not swim: {error}") from None
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        save(target, repertoire)
-    except OSError as error:
-        raise InputError(f"{target}: cannot be written: {error.strerror}") from None
+    with replacing(target) as fresh:
+        save(fresh, repertoire)
     for warning in filter(None, repertoire.provenance["warnings"].split("; ")):
         complain(f"{path}: warning: {warning}")
     say(f"{target}")

@@ -11,22 +11,30 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from reefgame import VERSION
-from reefgame.console import InputError, complain, progress_bar, say
+from reefgame.console import InputError, complain, open_streams, progress_bar, say
 
 _LARGEST_SIDE = 16_384
 _LARGEST_SEED = 2**62
-_NEGATIVE = ("--from", "--at", "--seed", "--tick", "--ticks")
+_NEGATIVE = ("--from", "--at", "--seed", "--tick", "--ticks", "--size", "--checksum-every")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; return the exit status."""
+    open_streams()
     try:
         options = _parser().parse_args(_joined(sys.argv[1:] if arguments is None else arguments))
         status: int = options.run(options)
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:
-        sys.stderr.close()
+        return 1
+    except MemoryError:
+        complain("this needs more memory than there is")
+        return 1
+    except OSError as error:
+        if error.filename is None:
+            raise
+        complain(f"{error.filename}: {error.strerror}")
         return 1
     except Exception as error:
         if not _input_at_fault(error):
@@ -179,14 +187,14 @@ def _world_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _size(text: str) -> tuple[int, int]:
-    match = re.fullmatch(r"(\d{1,5})x(\d{1,5})", text)
+    match = re.fullmatch(r"([0-9]{1,5})x([0-9]{1,5})", text)
     if not match or not all(1 <= int(side) <= _LARGEST_SIDE for side in match.groups()):
         raise InputError(f"size '{text}': two numbers from 1 to {_LARGEST_SIDE}, such as 1280x720")
     return int(match.group(1)), int(match.group(2))
 
 
 def _whole(text: str, what: str, most: int) -> int:
-    if not re.fullmatch(r"\d{1,19}", text) or int(text) > most:
+    if not re.fullmatch(r"[0-9]{1,19}", text) or int(text) > most:
         raise InputError(f"{what} '{text}': a whole number from 0 to {most} is expected")
     return int(text)
 
@@ -200,7 +208,7 @@ def _count(text: str) -> int:
 
 
 def _point(text: str) -> tuple[float, float, float]:
-    number = r"\s*(-?\d+(?:\.\d+)?)\s*"
+    number = r"\s*(-?[0-9]+(?:\.[0-9]+)?)\s*"
     match = re.fullmatch(f"{number},{number},{number}", text)
     if not match:
         raise InputError(f"point '{text}': three numbers in metres are expected, such as 1.5,-2,-6")
@@ -256,6 +264,9 @@ def _list(options: argparse.Namespace) -> int:
     }
     for line in listing[options.what](options.mod):
         say(str(line))
+    if options.what != "mods":
+        for mod in content.list_disabled(options.mod):
+            complain(str(mod))
     return 0
 
 
@@ -275,20 +286,19 @@ def _new(options: argparse.Namespace) -> int:
 
 
 def _soak(options: argparse.Namespace) -> int:
-    from reefgame.content import load
+    from reefgame.opening import open_level
+    from reefgame.output import check_output
     from reefgame.soak import Trace, soak
     from reefgame.world import World
 
-    world = World.build(load(options.level, mods=options.mod), options.seed or 0)
+    check_output(options.trace)
+    world = World.build(open_level(options.level, options.mod), options.seed or 0)
     trace = Trace() if options.trace else None
     doing = f"{options.ticks} ticks of {options.level}"
     with progress_bar(doing) as report:
         soak(world, options.ticks, trace=trace, report=lambda done: report(done, doing))
     if trace is not None:
-        try:
-            trace.save(options.trace)
-        except OSError as error:
-            raise InputError(f"{options.trace}: cannot be written: {error.strerror}") from None
+        trace.save(options.trace)
     for name, value in world.checksums().items():
         say(f"{name} {value:016x}")
     return 0

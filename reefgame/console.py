@@ -1,9 +1,11 @@
 """What the command line says, and shows while long work goes on: a bar on a terminal, nothing in a pipe."""
 
+import os
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from typing import TypeAlias
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import TextIO, TypeAlias
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
@@ -31,12 +33,46 @@ def progress_bar(what: str) -> Iterator[Report]:
 
 
 def say(text: str) -> None:
-    """Print a line of result."""
-    sys.stdout.write(text + "\n")
-    sys.stdout.flush()
+    """Print a line of result. Raise BrokenPipeError where nobody reads, InputError where it cannot be written."""
+    try:
+        _print(text, sys.stdout)
+    except BrokenPipeError:
+        abandon_output()
+        raise
+    except OSError as error:
+        abandon_output()
+        raise InputError(f"standard output: cannot be written: {error.strerror}") from None
 
 
 def complain(text: str) -> None:
     """Print a line about what is wrong, on the standard error."""
-    sys.stderr.write(text + "\n")
-    sys.stderr.flush()
+    with suppress(OSError):
+        _print(text, sys.stderr)
+
+
+def open_streams() -> None:
+    """Put the null device where the shell closed standard input, output or error.
+
+    Else the next file to be opened would take the number, and what a library prints would go into it.
+    """
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+    if sys.stdout is None:
+        sys.stdout = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115 (to the end)
+    if sys.stderr is None:
+        sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115 (to the end)
+
+
+def abandon_output() -> None:
+    """Send what is still to be printed to the null device: Python flushes once more as it ends."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _print(text: str, stream: TextIO) -> None:
+    encoding = stream.encoding or "utf-8"
+    stream.write(text.encode(encoding, "backslashreplace").decode(encoding) + "\n")
+    stream.flush()

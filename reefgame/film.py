@@ -5,6 +5,8 @@ The file is written under another name and renamed when it is whole.
 """
 
 import os
+from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 from queue import Queue
 from threading import Thread
@@ -25,16 +27,15 @@ class Film:
     """Takes pictures (height, width, 3) of uint8, top row first, and writes them to an mp4."""
 
     def __init__(self, path: Path, width: int, height: int) -> None:
-        if width % 2 or height % 2:
-            raise NoFilmError(f"a film's width and height must be even, not {width}x{height}")
-        try:
-            import av
-        except ImportError:
-            raise NoFilmError("films need PyAV: pip install 'reefgame[film]'") from None
+        """Begin the film. Raise NoFilmError where size, PyAV or the place are not fit."""
+        check_film(width, height)
+        import av
+
         self.path = path
         self._fresh = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
         try:
-            path.parent.mkdir(parents=True, exist_ok=True)
+            # libav opens the file with the first frame, too late to say that there is no place.
+            self._fresh.touch()
             self._container = av.open(str(self._fresh), "w", format="mp4")
         except OSError as error:
             raise NoFilmError(f"{path}: cannot be written: {error.strerror}") from None
@@ -43,41 +44,74 @@ class Film:
         self._stream.pix_fmt = "yuv420p"
         self._stream.options = {"crf": "20", "preset": "veryfast"}
         self._frame = av.VideoFrame.from_ndarray
+        self._refusals = (av.FFmpegError, OSError)
         self._queue: Queue[NDArray[np.uint8] | None] = Queue(_QUEUE)
-        self._failure: Exception | None = None
+        self._failure: str | None = None
         self._thread = Thread(target=self._encode, daemon=True)
         self._thread.start()
 
     def add(self, picture: NDArray[np.uint8]) -> None:
         """Append a picture of (height, width, 3) uint8. Raise NoFilmError where the disk is full."""
-        if self._failure is not None:
-            raise NoFilmError(f"{self.path}: {self._failure}")
+        self._check()
         self._queue.put(np.ascontiguousarray(picture))
 
     def close(self) -> None:
         """Finish the film and give it its name. Raise NoFilmError where it could not be written."""
         self._queue.put(None)
         self._thread.join()
-        if self._failure is None:
+        try:
+            self._check()
             self._container.close()
             self._fresh.replace(self.path)
-        self.discard()
-        if self._failure is not None:
-            raise NoFilmError(f"{self.path}: {self._failure}")
+        except self._refusals as error:
+            raise NoFilmError(_refusal(self.path, error)) from None
+        finally:
+            self._remove()
 
     def discard(self) -> None:
-        """Remove what was written of an unfinished film."""
-        self._fresh.unlink(missing_ok=True)
+        """Give up an unfinished film: nothing of it stays."""
+        self._failure = self._failure or "given up"
+        self._queue.put(None)
+        self._thread.join()
+        self._remove()
+
+    def _remove(self) -> None:
+        """Close and remove the file under its first name, where it still has that."""
+        with suppress(*self._refusals):
+            self._container.close()
+        with suppress(OSError):
+            self._fresh.unlink()
+
+    def _check(self) -> None:
+        if self._failure is not None:
+            raise NoFilmError(self._failure)
 
     def _encode(self) -> None:
-        while (picture := self._queue.get()) is not None:
+        """Encode what comes through the queue, to the None at its end; after a failure, only empty it."""
+        ended = False
+        while not ended:
+            picture = self._queue.get()
+            ended = picture is None
             if self._failure is None:
-                try:
-                    self._container.mux(self._stream.encode(self._frame(picture, format="rgb24")))
-                except OSError as error:
-                    self._failure = error
-        if self._failure is None:
-            try:
-                self._container.mux(self._stream.encode())
-            except OSError as error:
-                self._failure = error
+                self._write(picture)
+
+    def _write(self, picture: NDArray[np.uint8] | None) -> None:
+        try:
+            frame = None if picture is None else self._frame(picture, format="rgb24")
+            self._container.mux(self._stream.encode(frame))
+        except self._refusals as error:
+            self._failure = _refusal(self.path, error)
+
+
+def check_film(width: int, height: int) -> None:
+    """Raise NoFilmError where there can be no film of this size [px], or none at all."""
+    if width % 2 or height % 2:
+        raise NoFilmError(f"a film's width and height must be even, not {width}x{height}")
+    try:
+        import_module("av")
+    except ImportError:
+        raise NoFilmError("films need PyAV: pip install 'reefgame[film]'") from None
+
+
+def _refusal(path: Path, error: Exception) -> str:
+    return f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}"

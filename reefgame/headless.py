@@ -7,8 +7,10 @@ from pathlib import Path
 from components.clock import TICKS_PER_SECOND
 from reefgame import VERSION
 from reefgame.autopilot import Photographer
-from reefgame.console import InputError, progress_bar, say
-from reefgame.content import Content, load
+from reefgame.console import InputError, complain, progress_bar, say
+from reefgame.content import Content
+from reefgame.opening import open_level
+from reefgame.output import check_output, replacing
 from reefgame.recordings import Recording
 from reefgame.replay import Recorder, Replay, read_replay, verify
 from reefgame.world import World
@@ -18,35 +20,41 @@ LONGEST_DIVE_SECONDS = 180
 
 def dive(level: str, mods: Sequence[Path], seed: int, record: Path | None) -> int:
     """Let a scripted pilot play the level, record it and say what came of it; return the exit status."""
-    with progress_bar("loading") as report:
-        world = World.build(load(level, mods=mods, progress=report), seed)
+    world = World.build(open_level(level, mods), seed)
     pilot = Photographer()
     ticks = LONGEST_DIVE_SECONDS * TICKS_PER_SECOND
     recording = Recording(world, record)
-    with progress_bar(f"diving in {level}") as report:
-        for tick in range(ticks):
-            command = pilot(world)
-            world.tick(command)
-            recording.tick(command)
-            if tick % TICKS_PER_SECOND == 0:
-                report(tick / ticks, f"diving in {level}")
-            if world.objective.live("done").all():
-                break
-    recording.close()
+    try:
+        with progress_bar(f"diving in {level}") as report:
+            for tick in range(ticks):
+                command = pilot(world)
+                world.tick(command)
+                recording.tick(command)
+                if tick % TICKS_PER_SECOND == 0:
+                    report(tick / ticks, f"diving in {level}")
+                if world.objective.live("done").all():
+                    break
+    finally:
+        recording.close()
     say(_story(world))
-    say(recording.warning or f"recorded in {recording.path}")
-    return 0
+    if recording.warning is None:
+        say(f"recorded in {recording.path}")
+        return 0
+    complain(f"warning: {recording.warning}")
+    return 1 if record else 0
 
 
 def replay(options: argparse.Namespace) -> int:
     """Play a recorded dive again as the command line's options say; return the exit status."""
     record = read_replay(options.file)
-    with progress_bar("loading") as report:
-        content = load(record.level, mods=options.mod, progress=report)
-    _same_game(options.file, record, content)
-    if not (
-        options.headless or options.verify or options.video or options.picture or options.output
-    ):
+    _same_version(options.file, record)
+    outputs = (options.output, options.video, options.picture)
+    for path in outputs:
+        check_output(path)
+    watched = not (options.headless or options.verify or any(outputs))
+    content = open_level(record.level, options.mod, compiled=not watched)
+    _same_content(options.file, record, content)
+    if watched:
         from reefgame.window import watch
 
         return watch(record, content)
@@ -61,9 +69,12 @@ def replay(options: argparse.Namespace) -> int:
     return _verify(record, world, options.file)
 
 
-def _same_game(path: Path, record: Replay, content: Content) -> None:
+def _same_version(path: Path, record: Replay) -> None:
     if record.game != VERSION:
         raise InputError(f"{path}:2:1: recorded with reefgame {record.game}, this is {VERSION}")
+
+
+def _same_content(path: Path, record: Replay, content: Content) -> None:
     if record.content != content.hash:
         raise InputError(
             f"{path}:4:1: recorded with other content of level '{record.level}' than is installed; "
@@ -85,15 +96,17 @@ def _verify(record: Replay, world: World, path: Path) -> int:
 
 
 def _record_again(record: Replay, world: World, output: Path, every: int) -> int:
-    try:
-        with output.open("w", encoding="ascii", newline="\n") as stream:
-            recorder = Recorder(world, stream, record.level, max(every, 1))
-            for command in record.play():
-                world.tick(command)
-                recorder.tick(command)
-            recorder.finish()
-    except OSError as error:
-        raise InputError(f"{output}: cannot be written: {error.strerror}") from None
+    with (
+        replacing(output) as fresh,
+        progress_bar(f"recording {output.name}") as report,
+        fresh.open("w", encoding="ascii", newline="\n") as stream,
+    ):
+        recorder = Recorder(world, stream, record.level, max(every, 1))
+        for tick, command in enumerate(record.play()):
+            world.tick(command)
+            recorder.tick(command)
+            report(tick / record.ticks, "recording")
+        recorder.finish()
     say(f"{output}")
     return 0
 

@@ -5,6 +5,7 @@ the middle costs the recording, not the dive.
 """
 
 import os
+from contextlib import suppress
 from datetime import datetime
 from pathlib import Path
 from typing import Final, TextIO
@@ -27,8 +28,12 @@ def folder() -> Path:
 
 def kept() -> list[Path]:
     """Return the recordings that are kept, the newest first."""
-    found = list(folder().glob(f"*{SUFFIX}")) if folder().is_dir() else []
-    return sorted(found, key=lambda path: (path.stat().st_mtime, path.name), reverse=True)
+    ages = []
+    for path in folder().glob(f"*{SUFFIX}"):
+        # Another game may remove it between the two looks.
+        with suppress(OSError):
+            ages.append((path.stat().st_mtime, path.name, path))
+    return [path for *_, path in sorted(ages, reverse=True)]
 
 
 class Recording:
@@ -48,9 +53,9 @@ class Recording:
         try:
             self._begin(world, asked)
         except OSError as error:
+            self._give_up(error)
             if asked is not None:
                 raise InputError(f"{asked}: cannot be written: {error.strerror}") from None
-            self._give_up(error)
 
     def tick(self, command: Command) -> None:
         """Record the command of the tick that the world has just taken."""
@@ -68,7 +73,9 @@ class Recording:
             except OSError as error:
                 self._give_up(error)
         if self._stream is not None:
-            self._stream.close()
+            # What a full disk did not take is still in the stream's buffer.
+            with suppress(OSError):
+                self._stream.close()
         self._recorder = None
 
     def _begin(self, world: World, asked: Path | None) -> None:
@@ -78,11 +85,16 @@ class Recording:
         self._recorder = Recorder(world, self._stream, world.level.name)
         self.path = path
         for old in kept()[KEPT:]:
-            old.unlink(missing_ok=True)
+            with suppress(OSError):
+                old.unlink()
 
     def _give_up(self, error: OSError) -> None:
         self.warning = f"this dive is not recorded: {error.strerror or error}"
         self.path = self._recorder = None
+        if self._stream is not None:
+            with suppress(OSError):
+                self._stream.close()
+            self._stream = None
 
 
 def _next_path(level: str) -> Path:

@@ -30,6 +30,8 @@ from reefgame.world import World
 
 FORMAT: Final = "reefgame replay 1"
 MOST_TICKS: Final = 24 * 3600 * TICKS_PER_SECOND
+LARGEST: Final = 64 << 20
+"[bytes] beyond which no file is read: an hour with a checksum line every tick"
 _HEADER = ("game", "level", "content", "seed", "checksum-every")
 _PAIR = re.compile(r"([a-z]+)=(-?[0-9]{1,3})$")
 _SUM = re.compile(r"([a-z]+)=([0-9a-f]{16})$")
@@ -114,7 +116,8 @@ class Recorder:
 
     def finish(self) -> None:
         """Write the end: the recording is whole. The stream stays open; it is the caller's."""
-        self._write(f"{self._next - 1} end")
+        if self._next:
+            self._write(f"{self._next - 1} end")
 
     def _write(self, line: str) -> None:
         self.stream.write(line + "\n")
@@ -124,12 +127,16 @@ class Recorder:
 def read_replay(path: Path) -> Replay:
     """Read a replay. Raise ContentError, `file:line:column: what`, where it is not one."""
     try:
-        text = path.read_bytes().decode("ascii")
+        with path.open("rb") as file:
+            data = file.read(LARGEST + 1)
+        text = data.decode("ascii")
     except UnicodeDecodeError as error:
-        line = path.read_bytes()[: error.start].count(b"\n") + 1
+        line = data[: error.start].count(b"\n") + 1
         raise _error(path, line, "not a replay: it holds bytes that are not plain text") from None
     except OSError as error:
         raise _error(path, 1, f"cannot be read: {error.strerror}") from None
+    if len(data) > LARGEST:
+        raise _error(path, 1, f"larger than {LARGEST >> 20} MiB: no replay is")
     return _Reader(path, text).read()
 
 

@@ -1,4 +1,4 @@
-"""What is drawn, in order: seabed, rocks, rubble, open water behind them, fishes, motes (DESIGN 3, 5).
+"""What is drawn, in order: rocks, rubble, seabed, its shadows, open water behind them, fishes, motes (DESIGN 3, 5).
 
 The water fills only the pixels that nothing has covered yet, so its shader, the dearest, runs once
 a pixel; fishes come after it because their fins are blended over what lies behind.
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 from components.camera import Camera
 from reefgame.content.schema.level import Level
 from systems.view.context import ensure_context
+from systems.view.draw_contact import DrawContact
 from systems.view.draw_fish import DrawFish
 from systems.view.draw_ground import DrawGround
 from systems.view.draw_motes import DrawMotes
@@ -30,6 +31,8 @@ class Quality:
     defines: tuple[str, ...]
     "of the shaders of the sea"
     motes: int
+    detail: float
+    "of fishes: as if the target were so much higher"
     samples: int
     "of a target that shows this scene; 0 smooths no edges"
     height: int
@@ -37,8 +40,8 @@ class Quality:
 
 
 QUALITIES: Final = {
-    "low": Quality(("LOW",), motes=300, samples=0, height=360),
-    "high": Quality((), motes=900, samples=4, height=2160),
+    "low": Quality(("LOW",), motes=300, detail=0.45, samples=0, height=360),
+    "high": Quality((), motes=900, detail=1.0, samples=4, height=2160),
 }
 """By the name that settings give; low serves software OpenGL."""
 
@@ -68,6 +71,7 @@ class Scene:
         self._frame = FrameBlock(smooth=quality == "high")
         self._ground = DrawGround(world.terrain, self._look.sun(), defines)
         self._rocks = DrawRocks(world.terrain, self._look.sun(), defines)
+        self._contact = DrawContact(world.terrain, self._look.sun())
         self._rubble = DrawRubble(world.terrain, self._look.sun(), defines)
         self._water = DrawWater(defines)
         self._fish = DrawFish(world.species, world.library)
@@ -81,12 +85,14 @@ class Scene:
         aspect = width / height
         start_drawing(width, height)
         self._frame.update(camera, width, height, seconds, self._look)
-        self._ground.draw(camera, aspect)
         self._rocks.draw(camera, aspect, height)
         self._rubble.draw(camera, aspect)
+        self._ground.draw(camera, aspect)
+        self._contact.draw(camera, aspect)
         self._water.draw()
+        pixels = height * self.quality.detail
         self._fish.draw(
-            *(self._world.population, camera, alpha, seconds, height, self._look.visibility),
+            *(self._world.population, camera, alpha, seconds, pixels, self._look.visibility),
             aspect=aspect,
         )
         self._motes.draw()
@@ -100,6 +106,7 @@ class Scene:
                 self._ground,
                 self._rocks,
                 self._rubble,
+                self._contact,
                 self._water,
                 self._fish,
                 self._motes,

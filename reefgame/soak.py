@@ -4,7 +4,6 @@ The trace is an npz without pickle: `tick` (T,), and for the T samples of N fish
 live) `id` (N,), `species` (N,), `position` [m] (T, N, 3), `heading` (T, N, 3), `intention` (T, N), `segment` (T, N).
 """
 
-import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Final
@@ -13,6 +12,7 @@ import numpy as np
 
 from components.arrays import AnyArray
 from reefgame.autopilot import PilotScript, idle
+from reefgame.output import replacing
 from reefgame.world import World
 
 SAMPLE_EVERY: Final = 6
@@ -63,13 +63,9 @@ class Trace:
         return out
 
     def save(self, path: Path) -> None:
-        """Write the npz, whole or not at all. Raise OSError."""
-        fresh = path.with_name(f".{path.name}.{os.getpid()}.npz")
-        try:
-            np.savez_compressed(fresh, allow_pickle=False, **self.arrays())
-            fresh.replace(path)
-        finally:
-            fresh.unlink(missing_ok=True)
+        """Write the npz, whole or not at all. Raise InputError where it cannot be written."""
+        with replacing(path) as fresh, fresh.open("wb") as file:
+            np.savez_compressed(file, allow_pickle=False, **self.arrays())
 
 
 def soak(

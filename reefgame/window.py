@@ -15,6 +15,7 @@ from reefgame.console import InputError, complain
 from reefgame.content import Content
 from reefgame.screens.game_window import CAPTION, GameWindow
 from reefgame.shelf import LevelCard, Shelf, find_levels
+from reefgame.warmup import warm_up
 from systems.view.context import PACKAGES, choose_options, config
 
 if TYPE_CHECKING:
@@ -43,10 +44,16 @@ def play(
     window = open_window(size or SIZE)
     game = new_game(shelf, secrets.randbelow(_SEEDS) if seed is None else seed, record)
     view = GameWindow(window, game)
-    view.announce("filling the sea ...")
+    _fill(view)
     game.to_title()
     view.run()
     return 0
+
+
+def _fill(view: GameWindow) -> None:
+    """Say what is going on before the first picture: at the first launch kernels compile."""
+    warm_up(lambda done, what: view.announce(f"{what} {done:.0%}"))
+    view.announce("filling the sea ...")
 
 
 def _check_writable(record: Path | None) -> None:
@@ -83,7 +90,7 @@ def watch(replay: "Replay", content: Content) -> int:
     card = LevelCard(level.name, level.title, level.brief)
     game = Game([card], lambda _: content, level.name, replay.seed)
     view = GameWindow(window, game)
-    view.announce("filling the sea ...")
+    _fill(view)
     game.stack.replace(lambda: WatchScreen(game, replay))
     view.run()
     return 0

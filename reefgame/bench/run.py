@@ -11,6 +11,7 @@ from rich.table import Table
 
 from reefgame.bench.case import Case
 from reefgame.console import InputError, complain
+from reefgame.output import check_output, replacing
 
 NAMES: Final = ("motor", "step", "view", "startup", "memory")
 
@@ -21,6 +22,7 @@ def run(names: Sequence[str], output: Path | None) -> int:
     for name in wanted:
         if name not in NAMES:
             raise InputError(f"no bench is called '{name}'; there are {', '.join(NAMES)} and all")
+    check_output(output)
     results = []
     for name in wanted:
         complain(f"measuring {name} ...")
@@ -29,10 +31,8 @@ def run(names: Sequence[str], output: Path | None) -> int:
         Console(width=120).print(_table(name, cases))
         results.append({"name": name, "cases": [case.record() for case in cases]})
     if output is not None:
-        try:
-            output.write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
-        except OSError as error:
-            raise InputError(f"{output}: cannot be written: {error.strerror}") from None
+        with replacing(output) as fresh:
+            fresh.write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
     return 0
 
 

@@ -1,6 +1,6 @@
 """How species, levels and mods come in: YAML with marks, strict checks (DESIGN 6)."""
 
-from reefgame.content.checking import check, list_levels, list_mods, list_species
+from reefgame.content.checking import check, list_disabled, list_levels, list_mods, list_species
 from reefgame.content.errors import ContentError, Problem
 from reefgame.content.loading import Content, load, load_species, read_species
 from reefgame.content.new import new
@@ -12,6 +12,7 @@ __all__ = [
     "Problem",
     "check",
     "json_schema",
+    "list_disabled",
     "list_levels",
     "list_mods",
     "list_species",

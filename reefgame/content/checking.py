@@ -8,7 +8,7 @@ from reefgame.content.assembly import catalogue
 from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue
 from reefgame.content.errors import ContentError, Problem
 from reefgame.content.level_checks import level_problems
-from reefgame.content.load_order import check_new, ordered
+from reefgame.content.load_order import DisabledMod, check_new, ordered
 from reefgame.content.loading import enclosing_mod, locate
 from reefgame.content.mods import BASE, Mod, read_mod
 from reefgame.content.nodes import Mapping, Mark, Scalar
@@ -176,6 +176,11 @@ def list_species(mods: Sequence[Path] = ()) -> list[Listed]:
         Listed(name, file.title, f"{file.role}, {file.size_cm:g} cm")
         for name, file in found.items()
     ]
+
+
+def list_disabled(mods: Sequence[Path] = ()) -> list[DisabledMod]:
+    """Return the installed mods that are at fault and left out."""
+    return catalogue([Path(mod) for mod in mods])[1]
 
 
 def list_mods(mods: Sequence[Path] = ()) -> list[Listed]:

@@ -21,6 +21,11 @@ class DisabledMod:
     folder: str
     problems: tuple[Problem, ...]
 
+    def __str__(self) -> str:
+        """Return a line that names the mod, and one for each fault."""
+        faults = "\n".join(f"  {problem}" for problem in self.problems)
+        return f"warning: the installed mod {self.folder} is disabled:\n{faults}"
+
 
 def installed_folders() -> list[Path]:
     """Return the folders of mods in the user's data folder and in the checkout's mods/."""

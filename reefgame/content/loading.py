@@ -90,7 +90,7 @@ def find(
     is_file = isinstance(wanted, Path) or "/" in text or os.sep in text
     if not is_file and not text.endswith((".yaml", ".yml")):
         known, disabled = catalogue([Path(mod) for mod in mods])
-        return known, disabled, _by_name(kind, text, known)
+        return known, disabled, _by_name(kind, text, known, disabled)
     path = Path(text)
     read_bytes(path)
     home = enclosing_mod(path)
@@ -105,11 +105,13 @@ def locate(kind: str, path: Path, known: Catalogue) -> tuple[Catalogue, str]:
     return local(path, kind, known) if name is None else (known, name)
 
 
-def _by_name(kind: str, text: str, known: Catalogue) -> str:
+def _by_name(kind: str, text: str, known: Catalogue, disabled: Sequence[DisabledMod]) -> str:
     try:
         return known.find(kind, text, Mark(text))
     except ContentError as error:
-        raise ContentError(Problem(text, 0, 0, p.message) for p in error.problems) from None
+        problems = [Problem(text, 0, 0, p.message) for p in error.problems]
+    # It may be missing because its mod is disabled: that is said as well.
+    raise ContentError([*problems, *(fault for mod in disabled for fault in mod.problems)])
 
 
 def enclosing_mod(path: Path) -> Path | None:

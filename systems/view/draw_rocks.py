@@ -96,16 +96,18 @@ class DrawRocks:
 
         reach = self._reach[:, None]
         seen = boxes_seen(self._centre - reach, self._centre + reach, camera, aspect)
-        rows = np.flatnonzero(seen)
-        level = self._levels(rows, camera, height)
+        far = np.linalg.norm(self._centre - camera.eye, axis=1)
+        # The nearest first: what they hide is not shaded.
+        order = np.argsort(far - self._reach)
+        rows = order[seen[order]]
+        level = self._levels(rows, far[rows], camera.slope, height)
         gl.glUseProgram(self._program.id)
         gl.glEnable(gl.GL_CULL_FACE)
         self._mesh.draw(self._counts[level], self._starts[level], self._bases[level, rows])
         gl.glDisable(gl.GL_CULL_FACE)
 
-    def _levels(self, rows: Int64s, camera: Camera, height: int) -> Int64s:
-        far = np.linalg.norm(self._centre[rows] - camera.eye, axis=1)
-        pixels = self._reach[rows] / np.maximum(far, 0.1) * height / (2.0 * camera.slope)
+    def _levels(self, rows: Int64s, far: Float64s, slope: float, height: int) -> Int64s:
+        pixels = self._reach[rows] / np.maximum(far, 0.1) * height / (2.0 * slope)
         return np.asarray((pixels[:, None] < PIXELS).sum(axis=1))
 
     def delete(self) -> None:

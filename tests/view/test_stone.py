@@ -5,6 +5,7 @@ import pytest
 
 from components.camera import Camera, camera_towards
 from components.terrain import Terrain
+from systems.view.draw_contact import AROUND, RINGS, ring_mesh, ring_sides
 from systems.view.draw_rocks import normals
 from systems.view.draw_rubble import A_PIECE, lay, stone_mesh
 from systems.view.shade import ground_under
@@ -59,6 +60,25 @@ def test_stones_are_drawn_partly_over_the_sand(seabed: Terrain) -> None:
     assert (stone[:, :, 6].max(axis=1) > 0.0).all()
     assert (stone[:, :, 6].min(axis=1) < 0.0).mean() > 0.9
     assert np.allclose(np.linalg.norm(stone[..., 3:6], axis=-1), 1.0)
+
+
+def test_sand_is_dark_about_a_rock_and_darkest_at_its_foot(seabed: Terrain) -> None:
+    ring = ring_mesh(seabed, 0, np.array([0.6, 0.0, 0.8])).reshape(len(RINGS), AROUND, 4)
+    flat = ring[..., :2] - seabed.rock_centre[0, :2]
+    assert (np.diff(np.linalg.norm(flat, axis=-1), axis=0) > 0).all()
+    assert (np.diff(ring[..., 3], axis=0) <= 0).all()
+    assert (ring[-1, :, 3] == 0).all()
+    assert (ring[0, :, 3] > 0.5).all()
+    ground = ground_under(seabed, ring.reshape(-1, 4)).reshape(ring.shape[:2])
+    assert (np.abs(ring[..., 2] - ground) < 0.01).all()
+    lee, lit = ring[-1, AROUND // 2], ring[-1, 0]
+    assert lee[:2] @ [-1, 0] + seabed.rock_centre[0, 0] > lit[0] - seabed.rock_centre[0, 0]
+
+
+def test_the_rings_lie_face_up(seabed: Terrain) -> None:
+    places = ring_mesh(seabed, 0, np.array([0.0, 0.0, 1.0]))[:, :3]
+    a, b, c = places[ring_sides().reshape(-1, 3)].swapaxes(0, 1)
+    assert (np.cross(b - a, c - a)[:, 2] > 0).all()
 
 
 def test_stones_show_close_by_and_not_from_afar(seabed: Terrain, level_camera: Camera) -> None:

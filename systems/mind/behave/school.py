@@ -9,7 +9,7 @@ from math import sqrt
 from typing import Final
 
 from components.arrays import Float64s, Int64s
-from components.chance import WANDER, uniform
+from components.chance import PLACE_IN_SCHOOL, WANDER, uniform
 from components.kernels import inlined, row
 from systems.mind.grid import Crowd
 
@@ -32,6 +32,10 @@ _ROAM: Final = 0.3
 _BEHIND: Final = 0.4
 _AHEAD: Final = -0.35
 _SETTLED: Final = 0.15
+_LENGTHEN: Final = 1.5
+"""Half the length of a school over spacing and the fourth root of its number."""
+_FLATTEN: Final = 0.8
+"""How much less fishes shun each other above and below than beside."""
 
 
 @row
@@ -62,6 +66,19 @@ def _gear(previous: int, along: float) -> int:
     if along < _AHEAD or (previous == 0 and along < -_SETTLED):
         return 0
     return 1
+
+
+@inlined
+def _behind(crowd: Crowd, me: int, shoal: Float64s, number: float, spacing: float) -> float:
+    """Return how far a fish lags behind its place in the school [BL], negative where it runs ahead.
+
+    Each keeps to a place of its own between front and rear: a school is longer than wide (Pitcher
+    and Partridge 1979), and gears alone would draw it up in one rank.
+    """
+    place = 2.0 * uniform(0, PLACE_IN_SCHOOL, 0, crowd.id[me]) - 1.0
+    half = _LENGTHEN * spacing * sqrt(sqrt(number + 1.0))
+    ahead = shoal[0] * crowd.hx[me] + shoal[1] * crowd.hy[me] + shoal[2] * crowd.hz[me]
+    return (ahead + place * half) / crowd.length[me]
 
 
 @inlined
@@ -98,6 +115,8 @@ def school(
         ax, ay, az = ax + crowd.hx[other], ay + crowd.hy[other], az + crowd.hz[other]
         push = max(1.0 - d / (_ELBOW * spacing), 0.0) / d
         sx, sy, sz = sx - push * dx, sy - push * dy, sz - push * dz
+    sz *= _FLATTEN
+    cz /= _FLATTEN
     share = 1.0 / (found + 1.0)
     along = (cx * crowd.hx[me] + cy * crowd.hy[me] + cz * crowd.hz[me]) * share / crowd.length[me]
     pull = share / spacing
@@ -110,8 +129,7 @@ def school(
         x += pull * shoal[0] + _SHOAL_HEADING * shoal[3]
         y += pull * shoal[1] + _SHOAL_HEADING * shoal[4]
         z += pull * shoal[2] + _SHOAL_HEADING * shoal[5]
-        if found == 0:
-            along = 1.0
+        along = _behind(crowd, me, shoal, number, spacing) if found > 0 else 1.0
     dx, dy = place_x - crowd.x[me], place_y - crowd.y[me]
     far = sqrt(dx * dx + dy * dy) + 1e-9
     pull = _ROAM * min(far / _ROAM_FADES, 1.0) / far

@@ -16,6 +16,12 @@ void main() {
     vec3 sand = mix(vec3(.50, .47, .38), vec3(.80, .76, .62), wide.a);
     sand *= .82 + .36 * fine.a;
     sand *= mix(1., .45 + 1.1 * fine.b, detail);
+#ifndef LOW
+    vec4 grain = texture(relief_map, world.xy * 1.7);
+    float near = 1. / (1. + .06 * far * far);
+    sand *= 1. + near * (.55 * (grain.a - .5) + .5 * (grain.b - .5));
+    normal = normalize(normal - vec3(grain.rg - .5, 0.) * .35 * near);
+#endif
     vec3 lit = sunlight_in(world, normal, reached);
     colour = vec4(graded(through_water(sand * lit, world)), 1.);
 }

@@ -29,9 +29,9 @@ void main() {
     vec3 skin = mix(vec3(.36, .35, .29), vec3(.84, .77, .62), tone);
     skin = mix(skin, vec3(.62, .36, .44), smoothstep(.62, .70, fract(tone * 7.3)) * (1. - smoothstep(.80, .85, tone)));
     skin = mix(skin, vec3(.98, .94, .86), smoothstep(.85, .95, tone));
-    skin *= .6 + .9 * grain;
+    skin *= .7 + .95 * grain;
     float clear = smoothstep(-.01, .05, set.x);
-    vec2 reached = set.zw * vec2(.35 + .75 * clear, .45 + .55 * clear);
+    vec2 reached = set.zw * vec2(.45 + 1.1 * clear, .5 + .6 * clear);
     colour = vec4(graded(through_water(skin * sunlight_in(world, normal, reached), world)), 1.);
 }
 #else
@@ -46,7 +46,11 @@ void main() {
 #else
     Stone fine = carved(weight, .83);
 #endif
+#ifdef LOW
+    float region = 1.05 - coarse.growth;
+#else
     float region = texture(water_map, world.xy * .085 + world.z * vec2(.065, -.045)).b;
+#endif
     vec3 normal = normalize(smooth_normal - 1.7 * coarse.bump - 1.1 * fine.bump);
     float hollow = set.y;
     float worn = clamp(.5 + .75 * coarse.height + .7 * fine.height - .35 * hollow, 0., 1.);

@@ -35,7 +35,10 @@ vec3 sunlight_in(vec3 world, vec3 normal, vec2 reached) {
     vec3 way = world - eye.xyz;
     float clear = water.y * (1. - .5 * smoothstep(6., 30., depth)) * smoothstep(.05, .75, normal.z);
     clear /= 1. + .0007 * dot(way, way);
-    float net = mix(.62, caustics(world), clear * (.45 + .9 * texture(water_map, world.xy * .037 + eye.w * .004).b));
+#ifndef LOW
+    clear *= .45 + .9 * texture(water_map, world.xy * .037 + eye.w * .004).b;
+#endif
+    float net = mix(.62, caustics(world), clear);
     vec3 sky = mix(vec3(.07, .13, .12), SKY_COLOUR, .5 + .5 * normal.z);
     return left * (SUN_COLOUR * sun.w * facing * reached.y * (.24 + .86 * net) + sky * reached.x);
 }

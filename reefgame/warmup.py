@@ -1,0 +1,95 @@
+"""The first launch compiles the tick's kernels, and shows it: a bar that moves with every kernel (DESIGN 8, 9).
+
+What is compiled lies in the cache that components/kernels.py keeps, beside an empty file that says it is there, named
+by all sources and the processor; a later launch finds that file and does nothing. Where it is wrong, as after part of
+the cache was deleted, kernels are compiled where they are first called: that costs the bar, no more.
+"""
+
+import hashlib
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any, Final
+
+import llvmlite.binding
+import numba
+from numba.core import event
+
+from components.kernels import CACHED, sources_hash
+from reefgame.console import Report, progress_bar
+from reefgame.content import load
+from reefgame.world import World
+
+DOING: Final = "compiling kernels (first launch only)"
+_KERNELS: Final = 114
+"""Kernels that a first launch compiles, callees included; only the bar's length stands on it."""
+_LEVEL: Final = "first_dive"
+
+
+def warm_up(report: Report | None = None) -> None:
+    """Compile every kernel of the tick, unless the cache holds them all; tell `report`, else a bar on a terminal.
+
+    It is called before the first tick and never needs to be: without a terminal to show a bar on, it does nothing.
+    """
+    if is_warm():
+        return
+    if report is not None:
+        _compile_all(report)
+    elif sys.stderr is not None and sys.stderr.isatty():
+        with progress_bar(DOING) as bar:
+            _compile_all(bar)
+
+
+def is_warm() -> bool:
+    """Return whether a launch has nothing to compile, by all that can be told at once."""
+    return bool(numba.config.DISABLE_JIT) or (CACHED and stamp().exists())
+
+
+def stamp() -> Path:
+    """Return the file whose presence says that kernels of these sources for this processor are in the cache."""
+    processor = numba.config.CPU_NAME or llvmlite.binding.get_host_cpu_name()
+    text = f"{sources_hash(Path(__file__))} {processor} {numba.config.CPU_FEATURES}"
+    digest = hashlib.blake2b(text.encode(), digest_size=16).hexdigest()
+    return Path(numba.config.CACHE_DIR) / f"{digest}.compiled"
+
+
+@contextmanager
+def counting_kernels(report: Report, expected: int) -> Iterator[None]:
+    """Tell `report` of every kernel that is compiled while the block runs, as a part of `expected`."""
+    listener = _Counter(report, expected)
+    event.register("numba:compile", listener)
+    try:
+        yield
+    finally:
+        event.unregister("numba:compile", listener)
+
+
+class _Counter(event.Listener):  # type: ignore[misc]  # numba is untyped
+    """Counts the kernels that numba has compiled, each when it is done: callees come before callers."""
+
+    def __init__(self, report: Report, expected: int) -> None:
+        self._report = report
+        self._expected = expected
+        self._done = 0
+
+    def on_start(self, _: Any) -> None:
+        """Nothing is told when a kernel begins."""
+
+    def on_end(self, _: Any) -> None:
+        """Tell that one more is done."""
+        self._done += 1
+        self._report(min(self._done / self._expected, 1.0), DOING)
+
+
+def _compile_all(report: Report) -> None:
+    report(0.0, DOING)
+    with counting_kernels(report, _KERNELS):
+        world = World.build(load(_LEVEL))
+        world.tick()
+        world.checksums()
+        world.restore(world.snapshot())
+    report(1.0, DOING)
+    if CACHED:
+        with suppress(OSError):
+            stamp().touch()

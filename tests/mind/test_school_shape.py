@@ -1,0 +1,35 @@
+"""The school of first_dive is a school: polarised, near, longer than wide and flatter than long."""
+
+import numpy as np
+import pytest
+
+from components.arrays import Float64s
+from reefgame.content import load
+from reefgame.world import World
+
+SEEDS = [1, 7, pytest.param(2, marks=pytest.mark.prove), pytest.param(3, marks=pytest.mark.prove)]
+
+
+def sardines(world: World) -> tuple[Float64s, Float64s, Float64s]:
+    """Return positions [m], headings and lengths [m] of the school."""
+    fish, kind = world.population.fish, [s.name for s in world.species].index("sardine")
+    rows = np.flatnonzero(fish.live("species") == kind)
+    return fish.position[rows], fish.rotation[rows][:, :, 0], fish.length[rows]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_school_is_polarised_near_and_longer_than_wide_or_high(seed: int) -> None:
+    world = World.build(load("first_dive"), seed)
+    for _ in range(40 * 60):
+        world.tick()
+    position, heading, length = sardines(world)
+    course = heading.mean(axis=0)
+    assert np.linalg.norm(course) > 0.9
+    apart = np.linalg.norm(position[:, None] - position[None], axis=2) + 9.0 * np.eye(len(length))
+    assert 0.5 < np.median(apart.min(axis=1) / length) < 1.5
+    course[2] = 0.0
+    ahead = course / np.linalg.norm(course)
+    aside = np.array([-ahead[1], ahead[0], 0.0])
+    long, wide, high = (np.std(position @ axis) for axis in (ahead, aside, np.eye(3)[2]))
+    assert long > 1.2 * wide
+    assert long > 1.5 * high
