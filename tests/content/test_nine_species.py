@@ -9,7 +9,9 @@ import pytest
 from components.mind import Role
 from components.repertoire import Pattern
 from components.species import Species
+from reefgame.autopilot import Photographer
 from reefgame.content import list_species, load, load_species
+from reefgame.testing import play
 
 WriteMod = Callable[..., Path]
 
@@ -82,3 +84,9 @@ def test_looks_leave_the_content_hash(write_mod: WriteMod) -> None:
     assert load("first_dive", [write_mod("two", species={"s": text + look})]).hash == plain
     longer = "fins: {dorsal: {height_bl: 0.09}}\n"
     assert load("first_dive", [write_mod("three", species={"s": text + longer})]).hash != plain
+
+
+def test_the_aquarium_can_be_won() -> None:
+    dive = play("nine_species", Photographer(), seconds=60, seed=2)
+    assert dive.won
+    assert dive.ticks > 240
