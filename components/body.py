@@ -26,6 +26,8 @@ class Fin:
     end: float
     height: float
     lean: float = 0.04
+    profile: tuple[float, ...] = ()
+    "height at even steps from front to rear, over `height`; () is a fin that rises soon and falls off slowly"
 
 
 @dataclass(frozen=True)
@@ -47,6 +49,20 @@ class Body:
     "where the pectoral fin is rooted: -1 belly to 1 back"
     stiffness: float = 1.0
     "scale of all springs and dampers"
+    snout: float = 0.6
+    "view only: how pointed, 0.5 a parabola, 1 a cone"
+    tail_upper: float = 1.0
+    "view only: height of the caudal fin's upper lobe over `tail_span`"
+    tail_lower: float = 1.0
+    "view only: height and length of the lower lobe, over those of an even fin"
+    tail_slender: float = 0.0
+    "view only: 0 broad lobes, 1 slender ones"
+    pectoral_held: bool = False
+    "view only: held out like wings, as sharks do, not sculling"
+    pelvic_at: float | None = None
+    "view only: where the pelvic fins are rooted; behind the pectoral ones where None"
+    pelvic_length: float | None = None
+    "view only: 0.65 of the pectoral ones' where None"
 
 
 @dataclass(frozen=True)

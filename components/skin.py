@@ -5,7 +5,7 @@ belly to 1 at the back. Colours are linear steps of sRGB, three numbers from 0 t
 """
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 Colour: TypeAlias = tuple[float, float, float]
 
@@ -71,11 +71,51 @@ class Patch:
 
 
 @dataclass(frozen=True)
+class Band:
+    """A smooth band of colour through points (s, h), as wide as `width` says (s)."""
+
+    colour: Colour
+    points: tuple[tuple[float, float], ...]
+    width: tuple[float, ...]
+    "at evenly spaced points from the first to the last; one number for an even band"
+    softness: float = 0.01
+    edge: Colour | None = None
+    "colour of a thin rim"
+    edge_width: float = 0.008
+    "width of the rim"
+
+
+@dataclass(frozen=True)
+class Hatch:
+    """Many parallel lines at one angle, between two places s and two heights h."""
+
+    colour: Colour
+    spacing: float
+    "from one line to the next (s)"
+    width: float
+    tilt_deg: float = 0.0
+    "0 along the body; above 0 they rise towards the tail"
+    bow: float = 0.0
+    "how far their middle bulges upwards (s)"
+    softness: float = 0.006
+    reach: tuple[float, float] = (0.0, 1.0)
+    "the places (s) between which they are drawn"
+    height: tuple[float, float] = (-1.1, 1.1)
+    "the heights (h) between which they are drawn"
+    fade: float = 0.05
+    "over how much of s they begin and end"
+    wobble: float = 0.0
+    "unevenness"
+
+
+@dataclass(frozen=True)
 class Scales:
     """A net of scales that darkens and glints, of `size` s and `strength` 0 to 1."""
 
     size: float = 0.02
     strength: float = 0.25
+    rim: Colour | None = None
+    "colour of each scale's rear border"
 
 
 @dataclass(frozen=True)
@@ -89,7 +129,41 @@ class Eye:
     "pupil's radius over the eye's"
 
 
-Layer: TypeAlias = Gradient | Stripes | Spots | Patch | Scales
+@dataclass(frozen=True)
+class Mouth:
+    """The slit of the mouth, from its front to its corner, both (s, h)."""
+
+    front: tuple[float, float]
+    corner: tuple[float, float]
+
+
+FinName: TypeAlias = Literal["dorsal", "anal", "tail", "pectoral", "pelvic"]
+
+
+@dataclass(frozen=True)
+class FinPatch:
+    """A soft ellipse on a fin. Places are (along, out): 0 front or upper end to 1, 0 root to 1 edge."""
+
+    fin: FinName
+    colour: Colour
+    at: tuple[float, float]
+    size: tuple[float, float]
+    softness: float = 0.15
+
+
+@dataclass(frozen=True)
+class FinLines:
+    """Lines along a fin, parallel to its edge, at distances from the root (0) to the edge (1)."""
+
+    fin: FinName
+    colour: Colour
+    at: tuple[float, ...]
+    width: float
+    softness: float = 0.05
+
+
+Layer: TypeAlias = Gradient | Stripes | Spots | Patch | Band | Hatch | Scales
+FinMark: TypeAlias = FinPatch | FinLines
 
 
 @dataclass(frozen=True)
@@ -116,3 +190,23 @@ class Skin:
     "where the gill cover ends (s)"
     gill_strength: float = 0.5
     "how dark the gill cover's line is, 0 to 1"
+    gill_slits: int = 0
+    "a shark's open slits, instead of a cover"
+    mouth: Mouth | None = None
+    "a small one at the snout's tip where none is given"
+    dorsal: Colour | None = None
+    "colour of the dorsal fin; `fin` where none is given"
+    anal: Colour | None = None
+    "colour of the anal fin; `fin` where none is given"
+    pelvic: Colour | None = None
+    "colour of the pelvic fins; that of the pectoral ones where none is given"
+    fin_edge_width: float = 0.2
+    "width of the outer rim, over the fin's height"
+    fin_follow: float = 0.0
+    "how far dorsal and anal fins go on with the colours of the body beside them, 0 to 1"
+    fin_tip: Colour | None = None
+    "colour of all fins' tips"
+    fin_rays: float = 1.0
+    "how much fin rays stand out, 0 none to 1"
+    fin_marks: tuple[FinMark, ...] = ()
+    "what is painted on fins"

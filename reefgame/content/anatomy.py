@@ -9,7 +9,9 @@ from reefgame.content.skins import skin_of
 
 
 def _fin(fin: MedianFin | None) -> Fin | None:
-    return None if fin is None else Fin(fin.from_bl, fin.to_bl, fin.height_bl, fin.lean_bl)
+    if fin is None:
+        return None
+    return Fin(fin.from_bl, fin.to_bl, fin.height_bl, fin.lean_bl, fin.profile)
 
 
 def body_of(file: SpeciesFile) -> Body:
@@ -27,6 +29,13 @@ def body_of(file: SpeciesFile) -> Body:
         pectoral_length=fins.pectoral.length_bl,
         pectoral_height=fins.pectoral.height,
         stiffness=shape.stiffness,
+        snout=shape.snout,
+        tail_upper=fins.tail.upper,
+        tail_lower=fins.tail.lower,
+        tail_slender=fins.tail.slender,
+        pectoral_held=fins.pectoral.held_out,
+        pelvic_at=None if fins.pelvic is None else fins.pelvic.at_bl,
+        pelvic_length=None if fins.pelvic is None else fins.pelvic.length_bl,
     )
 
 

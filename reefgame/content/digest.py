@@ -14,7 +14,21 @@ from reefgame.content.schema.level import Level
 from reefgame.content.schema.species import SpeciesFile
 
 _LEVEL_WORDS: Final = frozenset({"title", "brief", "prompts", "overrides"})
-_SPECIES_LOOKS: Final = frozenset({"title", "like", "overrides", "skin"})
+_SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
+    "title": True,
+    "like": True,
+    "overrides": True,
+    "skin": True,
+    "body": {"snout": True},
+    "fins": {
+        "tail": {"upper": True, "lower": True, "slender": True},
+        "dorsal": {"profile": True},
+        "anal": {"profile": True},
+        "pectoral": {"held_out": True},
+        "pelvic": True,
+    },
+}
+"""What only the view reads."""
 
 
 def content_hash(
@@ -24,7 +38,7 @@ def content_hash(
     digest = hashlib.blake2b(digest_size=16)
     _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS)))
     for name in sorted(species):
-        _add(digest, {name: species[name].model_dump(mode="json", exclude=set(_SPECIES_LOOKS))})
+        _add(digest, {name: species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)})
         for segment in repertoires[name].segments:
             _add(digest, [int(segment.pattern), bool(segment.loops), len(segment.translation)])
             digest.update(segment.rotation.astype("<f8").tobytes())

@@ -1,7 +1,7 @@
 """A skin as a species file says it, turned into the layers that the view paints (components/skin.py)."""
 
 from components import skin
-from reefgame.content.schema import species as said
+from reefgame.content.schema import skins as said
 
 
 def colour_of(text: str) -> skin.Colour:
@@ -40,8 +40,19 @@ def _layer(layer: said.SkinLayer) -> skin.Layer:
                 layer.hollow,
                 layer.tilt_deg,
             )
+        case said.BandLayer():
+            return skin.Band(
+                colour_of(layer.colour),
+                layer.points,
+                layer.width,
+                layer.softness,
+                _or_none(layer.edge),
+                layer.edge_width,
+            )
+        case said.HatchLayer():
+            return _hatch(layer)
         case said.ScalesLayer():
-            return skin.Scales(layer.size, layer.strength)
+            return skin.Scales(layer.size, layer.strength, _or_none(layer.rim))
 
 
 def _stripes(layer: said.StripesLayer) -> skin.Stripes:
@@ -59,6 +70,28 @@ def _stripes(layer: said.StripesLayer) -> skin.Stripes:
     )
 
 
+def _hatch(layer: said.HatchLayer) -> skin.Hatch:
+    return skin.Hatch(
+        colour=colour_of(layer.colour),
+        spacing=layer.spacing,
+        width=layer.width,
+        tilt_deg=layer.tilt_deg,
+        bow=layer.bow,
+        softness=layer.softness,
+        reach=layer.reach,
+        height=layer.height,
+        fade=layer.fade,
+        wobble=layer.wobble,
+    )
+
+
+def _mark(mark: said.FinMark) -> skin.FinMark:
+    colour = colour_of(mark.colour)
+    if isinstance(mark, said.FinLinesMark):
+        return skin.FinLines(mark.fin, colour, mark.at, mark.width, mark.softness)
+    return skin.FinPatch(mark.fin, colour, mark.at, mark.size, mark.softness)
+
+
 def skin_of(look: said.SkinLook) -> skin.Skin:
     """Return the skin that a species file describes."""
     eye = look.eye
@@ -74,4 +107,14 @@ def skin_of(look: said.SkinLook) -> skin.Skin:
         pectoral=_or_none(look.pectoral),
         gill_at=look.gill_at,
         gill_strength=look.gill_strength,
+        gill_slits=look.gill_slits,
+        mouth=None if look.mouth is None else skin.Mouth(look.mouth.front, look.mouth.corner),
+        dorsal=_or_none(look.dorsal),
+        anal=_or_none(look.anal),
+        pelvic=_or_none(look.pelvic),
+        fin_edge_width=look.fins_edge_width,
+        fin_follow=look.fins_follow,
+        fin_tip=_or_none(look.fins_tip),
+        fin_rays=look.fins_rays,
+        fin_marks=tuple(_mark(mark) for mark in look.fin_marks),
     )

@@ -13,7 +13,7 @@ from components.arrays import Float64s
 from components.body import Body
 
 SNOUT: Final = 0.6
-"""Power of x by which the snout opens; 0.5 would be a parabola."""
+"""Power of x by which most snouts open; 0.5 would be a parabola, 1 a cone."""
 ROOT: Final = 0.42
 """Where the body ends between the last ring (0) and the tail's tips (1)."""
 FLARE: Final = 1.12
@@ -40,14 +40,16 @@ class Outline:
     "x [BL] of the first ring"
     drop: float
     "how far the snout lies under the axis [BL]"
+    snout: float = SNOUT
+    "power of x at which the knots are spaced"
 
     def half_height(self, x: Float64s) -> Float64s:
         """Return the half-height at x, both in BL."""
-        return _monotone(self._powers(x), self.knots, self.height)
+        return _monotone(self._powers(x), self.knots, self.height, self.snout)
 
     def half_width(self, x: Float64s) -> Float64s:
         """Return the half-width at x, both in BL."""
-        return _monotone(self._powers(x), self.knots, self.width)
+        return _monotone(self._powers(x), self.knots, self.width, self.snout)
 
     def middle(self, x: Float64s) -> Float64s:
         """Return the height of the section's middle over the axis at x, both in BL."""
@@ -63,7 +65,7 @@ class Outline:
         return np.stack(np.broadcast_arrays(-x, y, z), axis=-1)
 
     def _powers(self, x: Float64s) -> Float64s:
-        powers: Float64s = np.clip(np.asarray(x, np.float64), 0.0, self.end) ** SNOUT
+        powers: Float64s = np.clip(np.asarray(x, np.float64), 0.0, self.end) ** self.snout
         return powers
 
 
@@ -75,15 +77,15 @@ def outline_of(body: Body) -> Outline:
     height = np.array([0.0, *body.half_height, FLARE * body.half_height[4]])
     width = np.array([0.0, *body.half_width, 0.16 * body.half_width[4]])
     drop = MOUTH_DROP * body.half_height[0]
-    return Outline(end, x**SNOUT, height, width, body.station[0], drop)
+    return Outline(end, x**body.snout, height, width, body.station[0], drop, body.snout)
 
 
-def _monotone(at: Float64s, x: Float64s, y: Float64s) -> Float64s:
-    """Interpolate without overshoot (Fritsch and Carlson 1980)."""
+def _monotone(at: Float64s, x: Float64s, y: Float64s, snout: float) -> Float64s:
+    """Interpolate without overshoot (Fritsch and Carlson 1980); the more pointed the snout, the hollower."""
     gap = np.diff(x)
     rise = np.diff(y) / gap
     slopes = np.empty_like(y)
-    slopes[0], slopes[-1] = 1.35 * rise[0], rise[-1]
+    slopes[0], slopes[-1] = (1.35 + 1.5 * (SNOUT - snout)) * rise[0], rise[-1]
     left, right = rise[:-1], rise[1:]
     same = left * right > 0
     weight_l, weight_r = 2 * gap[1:] + gap[:-1], gap[1:] + 2 * gap[:-1]

@@ -17,7 +17,7 @@ from systems.view.fish_outline import Outline
 
 AROUND: Final = 9
 """Control points around a side, from back to belly (papers/000, 7.2)."""
-BODY, MEMBRANE, PECTORAL, PELVIC = range(4)
+BODY, MEMBRANE, PECTORAL, PELVIC, HELD = range(5)
 """Kinds of vertices: what the shader does with a vertex' second and third row of weights."""
 BODY_BOX: Final = (0.004, 0.004, 0.996, 0.484)
 """Where the body lies in a skin's layer: left, top, right, bottom, each 0 to 1; s runs right, back to belly down."""
@@ -38,7 +38,7 @@ class Patch:
     texture: Float64s
     "place in the skin's layer, 0 to 1, (n, 2)"
     kind: int
-    "one of BODY, MEMBRANE, PECTORAL, PELVIC"
+    "one of BODY, MEMBRANE, PECTORAL, PELVIC, HELD"
     triangles: Int64s
     "anticlockwise seen from outside, (t, 3)"
 

@@ -44,12 +44,32 @@ def gill_cover(canvas: Canvas, skin: Skin) -> None:
     canvas.shade(1.0 - 0.3 * skin.gill_strength * fold)
 
 
-def mouth(canvas: Canvas, outline: Outline) -> None:
+def gill_slits(canvas: Canvas, skin: Skin) -> None:
+    """Draw a shark's gill slits: the last at `gill_at`, the others ahead of it."""
+    limit = ease(np.clip((0.42 - np.abs(canvas.h + 0.08)) / 0.12, 0.0, 1.0))
+    for slit in range(skin.gill_slits):
+        at = skin.gill_at - 0.0125 * slit
+        behind = canvas.s - at + 0.02 * (canvas.h + 0.1) ** 2 + 0.006 * canvas.h
+        line = np.exp(-((behind / 0.0018) ** 2)) * limit
+        lip = np.exp(-(((behind + 0.004) / 0.003) ** 2)) * limit
+        canvas.shade(1.0 - skin.gill_strength * (0.8 * line - 0.12 * lip))
+        canvas.relief += skin.gill_strength * (0.08 * lip - 0.12 * line)
+
+
+def mouth(canvas: Canvas, skin: Skin, outline: Outline) -> None:
     """Draw the slit of the mouth and its lips."""
-    tip = float(outline.middle(np.zeros(1))[0]) / outline.end
-    long = 0.34 * outline.first / outline.end
-    level = tip - 0.12 * canvas.s
-    along = np.clip((long - canvas.s) / (0.35 * long), 0.0, 1.0)
+    if skin.mouth is None:
+        tip = float(outline.middle(np.zeros(1))[0]) / outline.end
+        start, long = 0.0, 0.34 * outline.first / outline.end
+        level = tip - 0.12 * canvas.s
+    else:
+        (start, front), (long, corner) = skin.mouth.front, skin.mouth.corner
+        rise = height_of(outline, long, corner) - height_of(outline, start, front)
+        level = height_of(outline, start, front) + rise * (canvas.s - start) / max(
+            long - start, 1e-3
+        )
+    along = np.clip((long - canvas.s) / max(0.35 * (long - start), 1e-3), 0.0, 1.0)
+    along = along * np.clip((canvas.s - start) / 0.004 + 1.0, 0.0, 1.0)
     above = canvas.side - level
     line = np.exp(-((above / 0.0032) ** 2)) * along
     lips = np.exp(-((above / 0.010) ** 2)) * along

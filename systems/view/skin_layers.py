@@ -1,10 +1,16 @@
-"""Paints the layers that a modder lists: gradients, stripes, spots, patches, scales (components/skin.py)."""
+"""Paints the layers that a modder lists (components/skin.py)."""
+
+from typing import Final
 
 import numpy as np
 
-from components.skin import Gradient, Layer, Patch, Scales, Skin, Spots, Stripes
+from components.arrays import Float64s
+from components.skin import Band, Gradient, Hatch, Layer, Patch, Scales, Skin, Spots, Stripes
 from systems.view.fish_outline import Outline
 from systems.view.skin_canvas import Canvas, distance_to, ease, height_of, inside_of
+
+_STEPS: Final = 6
+"""Straight pieces from one point of a band to the next."""
 
 
 def paint_layer(canvas: Canvas, layer: Layer, skin: Skin, outline: Outline) -> None:
@@ -18,6 +24,10 @@ def paint_layer(canvas: Canvas, layer: Layer, skin: Skin, outline: Outline) -> N
             _spots(canvas, layer, outline)
         case Patch():
             _patch(canvas, layer, outline)
+        case Band():
+            _band(canvas, layer, outline)
+        case Hatch():
+            _hatch(canvas, layer)
         case Scales():
             _scales(canvas, layer, skin)
 
@@ -69,12 +79,63 @@ def _patch(canvas: Canvas, layer: Patch, outline: Outline) -> None:
     turn = np.radians(layer.tilt_deg)
     dx, dy = canvas.s - s, canvas.side - height_of(outline, s, h)
     along = (dx * np.cos(turn) + dy * np.sin(turn)) / layer.size[0]
-    across = (dy * np.cos(turn) - dx * np.sin(turn)) / tall
+    across = (dy * np.cos(turn) - dx * np.sin(turn)) / max(tall, 1e-3)
     radius = np.hypot(along, across) + 0.04 * canvas.noise
     cover = inside_of(radius - 1.0, layer.softness)
     if layer.hollow > 0.0:
         cover = cover * (1.0 - inside_of(radius - layer.hollow, layer.softness))
     canvas.lay(layer.colour, cover)
+
+
+def _band(canvas: Canvas, layer: Band, outline: Outline) -> None:
+    """Draw a band along a smooth curve through its points (Catmull and Rom 1974), in the plane seen from the side."""
+    knots = np.array([(s, height_of(outline, s, h)) for s, h in layer.points])
+    at = np.linspace(0.0, len(knots) - 1.0, _STEPS * (len(knots) - 1) + 1)
+    curve = _smooth(knots, at)
+    width = np.interp(at / at[-1], np.linspace(0.0, 1.0, len(layer.width)), layer.width)
+    reach = width.max() + layer.edge_width + layer.softness
+    near = np.abs(canvas.s[0] - 0.5 * (curve[:, 0].min() + curve[:, 0].max()))
+    columns = near < 0.5 * np.ptp(curve[:, 0]) + reach
+    s, side = canvas.s[:, columns], canvas.side[:, columns]
+    inside = np.full(s.shape, 1.0)
+    for (x, y), (dx, dy), wide, change in zip(
+        curve, np.diff(curve, axis=0), width, np.diff(width), strict=False
+    ):
+        t = np.clip(((s - x) * dx + (side - y) * dy) / max(dx * dx + dy * dy, 1e-12), 0.0, 1.0)
+        away = np.hypot(s - x - t * dx, side - y - t * dy) - 0.5 * (wide + change * t)
+        inside = np.minimum(inside, away)
+    distance = np.full(canvas.s.shape, 1.0)
+    distance[:, columns] = inside
+    if layer.edge is not None:
+        canvas.lay(layer.edge, inside_of(distance - layer.edge_width, layer.softness))
+    canvas.lay(layer.colour, inside_of(distance, layer.softness))
+
+
+def _smooth(knots: Float64s, at: Float64s) -> Float64s:
+    """Return the points of a Catmull-Rom curve through `knots` (n, 2) at parameters from 0 to n - 1."""
+    ends = np.concatenate((2 * knots[:1] - knots[1:2], knots, 2 * knots[-1:] - knots[-2:-1]))
+    i = np.minimum(at.astype(int), len(knots) - 2)
+    t = (at - i)[:, None]
+    a, b, c, d = (ends[i + k] for k in range(4))
+    curve: Float64s = b + 0.5 * t * (
+        c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a))
+    )
+    return curve
+
+
+def _hatch(canvas: Canvas, layer: Hatch) -> None:
+    """Draw parallel lines; a wobble lets them wander, so that they look grown."""
+    turn = np.radians(layer.tilt_deg)
+    (left, right), (low, high) = layer.reach, layer.height
+    middle = (canvas.s - left) / max(right - left, 1e-6)
+    across = canvas.side * np.cos(turn) - canvas.s * np.sin(turn)
+    across = across - 4.0 * layer.bow * middle * (1.0 - middle)
+    phase = across / layer.spacing + 0.35 * layer.wobble * canvas.noise
+    distance = layer.spacing * np.abs(phase - np.floor(phase) - 0.5) - 0.5 * layer.width
+    within = np.minimum(canvas.s - left, right - canvas.s) / layer.fade
+    inside = np.minimum(canvas.h - low, high - canvas.h) * canvas.half / layer.fade
+    ends = ease(np.clip(np.minimum(within, inside) + 0.5, 0.0, 1.0))
+    canvas.lay(layer.colour, inside_of(distance, layer.softness) * ends)
 
 
 def _scales(canvas: Canvas, layer: Scales, skin: Skin) -> None:
@@ -94,5 +155,7 @@ def _scales(canvas: Canvas, layer: Scales, skin: Skin) -> None:
         rim = np.maximum(rim, inside)
     fade = np.clip((canvas.s - skin.gill_at + 0.06 * canvas.h**2 - 0.005) / 0.03, 0.0, 1.0)
     fade = fade * np.clip(1.3 - np.abs(canvas.h) ** 6, 0.0, 1.0)
+    if layer.rim is not None:
+        canvas.lay(layer.rim, fade * ease(np.clip((0.62 - best) / 0.3, 0.0, 1.0)))
     canvas.shade(1.0 + layer.strength * fade * (0.8 * (best - 0.45) + 0.35 * (rim - 1.0)))
     canvas.relief += 0.5 * layer.strength * fade * (best - 0.5)

@@ -38,11 +38,14 @@ def paint_skin(skin: Skin, body: Body) -> Texels:
     if scaled:
         face.lateral_line(canvas, skin)
     face.tail_root(canvas, skin)
-    face.gill_cover(canvas, skin)
-    face.mouth(canvas, outline)
+    if skin.gill_slits:
+        face.gill_slits(canvas, skin)
+    else:
+        face.gill_cover(canvas, skin)
+    face.mouth(canvas, skin, outline)
     face.eyeball(canvas, skin.eye, outline)
     picture = np.zeros((SIZE, SIZE, 4))
     picture[:HALF, :, :3] = canvas.colour
     picture[:HALF, :, 3] = canvas.relief
-    paint_fins(picture, skin, canvas)
+    paint_fins(picture, skin, canvas, body)
     return (np.clip(picture, 0.0, 1.0) * 255.0 + 0.5).astype(np.uint8)

@@ -47,7 +47,7 @@ def test_an_unknown_level_names_the_nearest(lines: Lines) -> None:
 
 
 def test_a_name_with_no_likeness_lists_the_levels(lines: Lines) -> None:
-    message = "zzz: there is no level 'zzz'; there are first_dive or visitors"
+    message = "zzz: there is no level 'zzz'; there are first_dive, nine_species or visitors"
     assert lines(lambda: load("zzz")) == [message]
 
 
@@ -212,7 +212,7 @@ SPECIES = {
                 "paint: scale",
                 0,
                 (
-                    "'scale' is not known: must be gradient, stripes, spots, patch or scales; "
+                    "'scale' is not known: must be gradient, stripes, spots, patch, band, hatch or scales; "
                     "did you mean 'scales'?"
                 ),
             )
@@ -225,7 +225,7 @@ SPECIES = {
             (
                 "strenght",
                 0,
-                "unknown key 'strenght'; did you mean 'strength'?; allowed are paint, size or strength",
+                "unknown key 'strenght'; did you mean 'strength'?; allowed are paint, size, strength or rim",
             )
         ],
     ),
@@ -263,7 +263,10 @@ LEVEL = {
         "photograph: {species: sardine,",
         "photograph: {species: whale,",
         "whale",
-        "there is no species 'whale'; there are blue_tang or sardine",
+        (
+            "there is no species 'whale'; there are angelfish, anthias, barracuda, blue_tang, "
+            "butterflyfish, clownfish, parrotfish, reef_shark or sardine"
+        ),
     ),
     "fishes inside rock": (
         "around_m: [2.5, 0.0, -9.0]",

@@ -9,12 +9,11 @@ from typing import Annotated, Literal, TypeAlias
 from pydantic import Field, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
-from reefgame.content.schema.strict import Colour, Fraction, Reference, Strict, Title
+from reefgame.content.schema.skins import SkinLook
+from reefgame.content.schema.strict import Fraction, Reference, Strict, Title
 
 Station: TypeAlias = Annotated[float, Field(ge=0.01, le=0.97)]
 Thickness: TypeAlias = Annotated[float, Field(ge=0.004, le=0.4)]
-BodyPlace: TypeAlias = tuple[Fraction, Annotated[float, Field(ge=-1.0, le=1.0)]]
-"""s from 0 at the nose to 1 at the tail's root, h from -1 at the belly to 1 at the back."""
 
 
 class School(Strict):
@@ -37,6 +36,8 @@ class BodyShape(Strict):
     """Half the height of the body at each."""
     stiffness: Annotated[float, Field(ge=0.2, le=5.0)] = 1.0
     """Scale of all springs: 1 for most fishes."""
+    snout: Annotated[float, Field(ge=0.45, le=1.3)] = 0.6
+    """How pointed the snout is: 0.5 is blunt, 1 a cone."""
 
     @field_validator("at_bl")
     @classmethod
@@ -59,6 +60,8 @@ class MedianFin(Strict):
     """How far it stands out."""
     lean_bl: Annotated[float, Field(ge=-0.2, le=0.3)] = 0.04
     """How far its tip leans back."""
+    profile: Annotated[tuple[Fraction, ...], Field(max_length=40)] = ()
+    """Its outline: heights at even steps from front to rear, 0 none to 1 height_bl; one of its own where left out."""
 
     @field_validator("to_bl")
     @classmethod
@@ -79,6 +82,17 @@ class Pectoral(Strict):
     """How long they are."""
     height: Annotated[float, Field(ge=-1.0, le=1.0)] = -0.2
     """Where they are rooted, from -1 at the belly to 1 at the back."""
+    held_out: bool = False
+    """Held out like wings, as sharks do, instead of sculling."""
+
+
+class Pelvic(Strict):
+    """The pair of fins under the belly."""
+
+    at_bl: Annotated[float, Field(ge=0.05, le=0.85)]
+    """Where they are rooted."""
+    length_bl: Annotated[float, Field(ge=0.0, le=0.5)]
+    """How long they are."""
 
 
 class Tail(Strict):
@@ -88,6 +102,12 @@ class Tail(Strict):
     """Half its height."""
     fork_bl: Annotated[float, Field(ge=-0.1, le=0.2)] = 0.06
     """How deeply it is forked; below 0 it is rounded."""
+    upper: Annotated[float, Field(ge=0.3, le=2.0)] = 1.0
+    """Height of the upper lobe, over half_span_bl: above 1 in sharks."""
+    lower: Annotated[float, Field(ge=0.3, le=1.5)] = 1.0
+    """Height and length of the lower lobe, over those of an even tail."""
+    slender: Fraction = 0.0
+    """0: broad lobes; 1: slender ones, a lyre or a crescent."""
 
 
 class Fins(Strict):
@@ -97,6 +117,8 @@ class Fins(Strict):
     dorsal: MedianFin | None = None
     anal: MedianFin | None = None
     pectoral: Pectoral = Pectoral()
+    pelvic: Pelvic | None = None
+    """Where null: behind the pectoral fins, two thirds as long."""
 
 
 class SwimStyle(Strict):
@@ -110,134 +132,6 @@ class SwimStyle(Strict):
     """How far the rear lags behind the middle, of 360 a beat."""
     frequency_hz: Annotated[float, Field(ge=0.5, le=6.0)]
     """Beats of the tail a second."""
-
-
-Height: TypeAlias = Annotated[float, Field(ge=-1.0, le=1.0)]
-Extent: TypeAlias = Annotated[float, Field(ge=0.005, le=2.0)]
-
-
-class GradientLayer(Strict):
-    """Colours that run into one another."""
-
-    paint: Literal["gradient"]
-    colours: Annotated[tuple[Colour, ...], Field(min_length=2, max_length=8)]
-    """From belly to back, or from nose to tail."""
-    at: Annotated[tuple[Height, ...], Field(max_length=8)] = ()
-    """The place of each colour: h, or s where it runs from nose to tail; evenly spread where left out."""
-    run: Literal["belly_to_back", "nose_to_tail"] = "belly_to_back"
-
-    @field_validator("at")
-    @classmethod
-    def _one_each(cls, at: tuple[float, ...], info: ValidationInfo) -> tuple[float, ...]:
-        colours = info.data.get("colours", ())
-        if at and colours and len(at) != len(colours):
-            text = "each colour needs one place: there are {places} places and {colours} colours"
-            raise PydanticCustomError(
-                "gradient", text, {"places": len(at), "colours": len(colours)}
-            )
-        if any(after <= before for before, after in pairwise(at)):
-            raise PydanticCustomError("gradient", "places must rise from one colour to the next")
-        return at
-
-
-class StripesLayer(Strict):
-    """Bars across the body, or lines along it."""
-
-    paint: Literal["stripes"]
-    colour: Colour
-    at: Annotated[tuple[Height, ...], Field(min_length=1, max_length=8)]
-    """Where: places s of bars (0 nose, 1 tail), heights h of lines (-1 belly, 1 back)."""
-    width: Annotated[float, Field(ge=0.005, le=1.0)]
-    softness: Annotated[float, Field(ge=0.0, le=0.5)] = 0.02
-    run: Literal["bars", "lines"] = "bars"
-    edge: Colour | None = None
-    """Colour of a thin rim."""
-    edge_width: Annotated[float, Field(ge=0.0, le=0.2)] = 0.012
-    bow: Annotated[float, Field(ge=-0.5, le=0.5)] = 0.0
-    """How far the middle bulges: of bars towards the tail, of lines towards the back."""
-    reach: tuple[Height, Height] = (-1.0, 1.0)
-    """The heights between which bars are drawn, or the places between which lines are."""
-    wobble: Fraction = 0.0
-    """Unevenness of the borders."""
-
-
-class SpotsLayer(Strict):
-    """Round spots, scattered by a seed or in a row."""
-
-    paint: Literal["spots"]
-    colour: Colour
-    count: Annotated[int, Field(ge=1, le=400)]
-    size: Annotated[float, Field(ge=0.002, le=0.3)]
-    seed: Annotated[int, Field(ge=0, le=1_000_000)] = 0
-    height: tuple[Height, Height] = (-1.0, 1.0)
-    """Lowest and highest h."""
-    reach: tuple[Fraction, Fraction] = (0.1, 0.95)
-    """First and last s."""
-    in_row: bool = False
-    """Evenly spaced along the body instead of scattered."""
-
-
-class PatchLayer(Strict):
-    """A soft ellipse, or a ring where `hollow` is above 0."""
-
-    paint: Literal["patch"]
-    colour: Colour
-    at: BodyPlace
-    size: tuple[Extent, Extent]
-    """Half the length (s) and half the height (h)."""
-    softness: Fraction = 0.15
-    hollow: Annotated[float, Field(ge=0.0, le=0.98)] = 0.0
-    tilt_deg: Annotated[float, Field(ge=-90.0, le=90.0)] = 0.0
-    """Turn of the ellipse, tail end up."""
-
-
-class ScalesLayer(Strict):
-    """A net of scales."""
-
-    paint: Literal["scales"]
-    size: Annotated[float, Field(ge=0.004, le=0.2)] = 0.02
-    strength: Fraction = 0.25
-
-
-SkinLayer: TypeAlias = Annotated[
-    GradientLayer | StripesLayer | SpotsLayer | PatchLayer | ScalesLayer,
-    Field(discriminator="paint"),
-]
-
-
-class EyeLook(Strict):
-    """The eye."""
-
-    at: BodyPlace = (0.07, 0.25)
-    radius: Annotated[float, Field(ge=0.004, le=0.1)] = 0.022
-    iris: Colour = "#e6cc4d"
-    pupil: Fraction = 0.5
-    """The pupil's radius over the eye's."""
-
-
-class SkinLook(Strict):
-    """Layers painted one over the other, the eye and the colours of the fins."""
-
-    layers: Annotated[tuple[SkinLayer, ...], Field(min_length=1, max_length=12)]
-    eye: EyeLook = EyeLook()
-    fins: Colour
-    """Colour of dorsal, anal and pectoral fins."""
-    fins_edge: Colour | None = None
-    """Colour of the outer rim of dorsal and anal fins."""
-    fins_opacity: Fraction = 0.8
-    """How little shines through the fins."""
-    pectoral: Colour | None = None
-    """Colour of the pectoral fins, where they differ from the others."""
-    tail: Colour
-    """Colour of the caudal fin."""
-    tail_edge: Colour | None = None
-    """Colour of the caudal fin's upper and lower borders."""
-    gill_at: Annotated[float, Field(ge=0.05, le=0.5)] = 0.21
-    """Where the gill cover ends."""
-    gill_strength: Fraction = 0.5
-    """How dark the gill cover's line is."""
-    shine: Fraction = 0.3
-    """Strength of the silvery glint."""
 
 
 class SpeciesFile(Strict):

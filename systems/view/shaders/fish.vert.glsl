@@ -45,8 +45,8 @@ void main() {
         along_v += weight.z * node;
     }
     vec3 upright = cross(along_u, along_v);
-    if (kind > 1.5) {   // a blade on its hinge; pelvic fins stay closer and move less
-        float angle = kind < 2.5 ? .62 + .42 * sin(warp.w) : .30 + .12 * sin(.7 * warp.w + 1.);
+    if (kind > 1.5) {   // a blade on its hinge; pelvic fins stay closer and move less, a shark's are wings
+        float angle = kind < 2.5 ? .62 + .42 * sin(warp.w) : kind < 3.5 ? .30 + .12 * sin(.7 * warp.w + 1.) : 1.12;
         sum += cos(angle) * along_u + sin(angle) * along_v;
         upright = cos(angle) * along_v - sin(angle) * along_u;
     }

@@ -1,5 +1,6 @@
 """The fish's surface: linear in at most 12 nodes, true to the stations, smooth, alike at every level of detail."""
 
+import dataclasses
 from collections.abc import Callable
 
 import numpy as np
@@ -14,7 +15,7 @@ from systems.view.bspline import basis, greville, slope
 from systems.view.fish_fins import CLOSE, fins_of
 from systems.view.fish_lattice import lattice_of
 from systems.view.fish_levels import COUNT_STEP, Level, levels_of
-from systems.view.fish_surface import AROUND, body_side, control_points
+from systems.view.fish_surface import AROUND, HELD, body_side, control_points
 
 Bend = Callable[[Body], Float64s]
 MIRROR = np.array([0] + [4 * r + 1 + s for r in range(5) for s in (1, 0, 3, 2)] + [21, 22])
@@ -178,3 +179,41 @@ def test_a_fork_draws_the_middle_of_the_tail_in(sample: Species) -> None:
     fin = (caudal(lattice, 3, 3).weight @ rest_nodes(sample.body)).reshape(3, 3, 3)
     assert fin[-1, 1, 0] - fin[-1, 0, 0] == pytest.approx(sample.body.tail_fork, abs=1e-6)
     assert fin[-1, 2, 1] == pytest.approx(sample.body.tail_span, rel=0.01)
+
+
+def test_a_shark_s_tail_has_a_long_upper_lobe_and_leaves_the_motion_alone(sample: Species) -> None:
+    from systems.view.fish_fins import caudal
+    from tools.capture.capture import fingerprint
+
+    body = dataclasses.replace(sample.body, tail_upper=1.4, tail_lower=0.6, tail_slender=0.3)
+    fin = (caudal(lattice_of(body), 3, 3).weight @ rest_nodes(body)).reshape(3, 3, 3)
+    lower, upper = fin[-1, 0], fin[-1, 2]
+    assert upper[1] == pytest.approx(1.4 * body.tail_span, rel=0.02)
+    assert lower[1] == pytest.approx(-0.6 * body.tail_span, rel=0.02)
+    assert lower[0] > upper[0] + 0.03
+    assert fingerprint(body, sample.swim) == fingerprint(sample.body, sample.swim)
+
+
+def test_a_pointed_snout_is_lower_ahead_of_the_first_station_only(sample: Species) -> None:
+    blunt, pointed = (
+        lattice_of(dataclasses.replace(sample.body, snout=snout)).outline for snout in (0.5, 1.0)
+    )
+    ahead = np.array([0.25, 0.5]) * sample.body.station[0]
+    assert (pointed.half_height(ahead) < 0.85 * blunt.half_height(ahead)).all()
+    stations = np.array(sample.body.station)
+    assert np.allclose(pointed.half_height(stations), blunt.half_height(stations))
+
+
+def test_fins_held_out_are_wings_that_taper(sample: Species) -> None:
+    body = dataclasses.replace(
+        sample.body, pectoral_held=True, pectoral_length=0.2, pelvic_at=0.5, pelvic_length=0.05
+    )
+    fins = fins_of(lattice_of(body), CLOSE)[3:]
+    assert [fin.kind for fin in fins] == [HELD] * 4
+    nodes = rest_nodes(body)
+    for fin, length, at in zip(fins[:2], (0.2, 0.05), (body.pectoral_at, 0.5), strict=True):
+        base = (fin.weight @ nodes).reshape(5, 4, 3)
+        chord = np.ptp(base[..., 0], axis=1)
+        assert chord[0] > 2 * chord[-1]
+        assert np.linalg.norm(fin.along_v[-1] @ nodes) == pytest.approx(length, rel=0.05)
+        assert -base[0, :, 0].mean() == pytest.approx(at, abs=0.02)
