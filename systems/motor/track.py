@@ -36,9 +36,9 @@ class Track(NamedTuple):
     pattern: Int8s
     "(S,)"
     segment: Int32s
-    "(species, 5)"
+    "(species, 9)"
     match: Int32s
-    "the frame of each pattern's segment whose shape is nearest to an entry's, 0 in turns, (E, 5)"
+    "the frame of each pattern's segment whose shape is nearest to an entry's, 0 in turns, (E, 9)"
 
 
 def planes(shape: Float32s) -> Float32s:

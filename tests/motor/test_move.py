@@ -62,12 +62,12 @@ def test_a_cycle_ends_in_the_recorded_pose_one_stride_ahead(
     assert abs(travelled[2]) < 0.01
 
 
-@pytest.mark.parametrize("segment", [0, 1, 2, 5, 6, 7])
+@pytest.mark.parametrize("segment", [0, 1, 2, 9, 10, 11])
 def test_a_swim_goes_straight_and_level_at_the_segment_s_speed(
     school: School, captured: RepertoireLibrary, sea: Terrain, segment: int
 ) -> None:
     fish = school(1, captured)
-    fish.fish.species[0] = segment // 5
+    fish.fish.species[0] = segment // len(Pattern)
     fish.motor.segment[0] = fish.motor.wanted[0] = segment
     fish.motor.frame[0] = 0
     fish.motor.shape_row[0] = captured.start[segment]
@@ -196,7 +196,7 @@ def _changes(
         ask = rng.random(n) < 0.1
         species = fish.fish.species[:n]
         fish.motor.wanted[:n] = np.where(
-            ask, library.segment[species, rng.integers(0, 5, n)], fish.motor.wanted[:n]
+            ask, library.segment[species, rng.integers(0, len(Pattern), n)], fish.motor.wanted[:n]
         )
         segment = fish.motor.segment[:n].copy()
         move()
