@@ -95,14 +95,6 @@ class Scene:
     def delete(self) -> None:
         """Free all that the scene holds on the GPU."""
         for part in (
-            *(
-                self._frame,
-                self._ground,
-                self._rocks,
-                self._rubble,
-                self._water,
-                self._fish,
-                self._motes,
-            ),
+            *(self._frame, self._ground, self._rocks, self._rubble, self._water, self._fish, self._motes),
         ):
             part.delete()
