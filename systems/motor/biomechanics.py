@@ -26,6 +26,7 @@ from systems.motor.muscle_model import (
     SPRINGS,
     BodyModel,
 )
+from systems.motor.pectorals import press
 
 SUBSTEPS: Final = 4
 """Substeps a tick; dt is part of the model."""
@@ -288,6 +289,22 @@ def assemble(model: BodyModel, position: Float64s, velocity: Float64s, work: Wor
 
 
 @row
+def drive(
+    model: BodyModel,
+    stroke: Stroke,
+    step: int,
+    position: Float64s,
+    velocity: Float64s,
+    work: Workspace,
+) -> None:
+    """Write the band and right side of substep `step` of `stroke`: muscles, water and fins."""
+    contract(stroke, model.length, step, SUBSTEP_SECONDS, work.rest)
+    assemble(model, position, velocity, work)
+    fins, drag = stroke.fins, model.water[0]
+    press(fins, drag, model.mass, position, velocity, step, SUBSTEP_SECONDS, work.right)
+
+
+@row
 def move_nodes(position: Float64s, velocity: Float64s, right: Float64s) -> None:
     """Take over the new velocities [BL/s] in `right` (69,) and move the nodes [BL] for 1/240 s."""
     for node in range(NODES):
@@ -316,5 +333,6 @@ def advance(
 ) -> None:
     """Advance one frame of 1/60 s of `stroke`; `frame` counts from the stroke's start."""
     for step in range(SUBSTEPS * frame, SUBSTEPS * (frame + 1)):
-        contract(stroke, model.length, step, SUBSTEP_SECONDS, work.rest)
-        substep(model, position, velocity, work)
+        drive(model, stroke, step, position, velocity, work)
+        solve(work.band, work.right)
+        move_nodes(position, velocity, work.right)

@@ -14,6 +14,7 @@ from components.arrays import Float64s
 from components.kernels import row
 from components.trigonometry import cosine, sine
 from systems.motor.muscle_model import LEFT, MUSCLES
+from systems.motor.pectorals import FOLDED, Pectorals
 
 RAMP_SECONDS: Final = 0.5
 """How long the swim takes to reach its full contractions."""
@@ -67,6 +68,8 @@ class Stroke(NamedTuple):
     "scale of the fast start's loops, negative to the right"
     loops: Float64s = FAST_START
     "contractions of the fast start, as `FAST_START`"
+    fins: Pectorals = FOLDED
+    "what the pectoral fins are told"
     swim_at: int = 0
     "substep at which the swim begins to ramp in"
 

@@ -18,7 +18,9 @@ import components.trigonometry
 import systems.motor.biomechanics
 import systems.motor.body_frame
 import systems.motor.contract
+import systems.motor.controllers
 import systems.motor.muscle_model
+import systems.motor.pectorals
 import tools.capture.bend
 import tools.capture.cut
 import tools.capture.escape
@@ -28,7 +30,7 @@ import tools.capture.turns
 from components.body import Body, Swim
 from components.clock import TICKS_PER_SECOND
 from components.repertoire import Pattern, Repertoire, Segment
-from components.trigonometry import DEGREE
+from systems.motor import controllers
 from systems.motor.biomechanics import SUBSTEPS
 from systems.motor.contract import TWO_PI, Stroke
 from systems.motor.muscle_model import BodyModel, body_model
@@ -57,7 +59,9 @@ _SOURCES: Final = (
     systems.motor.biomechanics,
     systems.motor.body_frame,
     systems.motor.contract,
+    systems.motor.controllers,
     systems.motor.muscle_model,
+    systems.motor.pectorals,
     tools.capture.bend,
     tools.capture.cut,
     tools.capture.escape,
@@ -107,7 +111,7 @@ def _segments(body: Body, swim: Swim) -> Iterator[Found]:
     model = body_model(body, swim)
     ready: dict[Pattern, tuple[Stroke, int, Segment]] = {}
     for pattern, (amplitude, pace) in GEARS.items():
-        stroke, first, recording = _in_phase(model, _stroke(swim, amplitude, pace))
+        stroke, first, recording = _in_phase(model, controllers.swim(swim, amplitude, pace))
         segment = cut(recording, pattern, first, stroke.period // SUBSTEPS, True)
         ready[pattern] = stroke, first, segment
         figures = measure_swim(recording, segment, first)
@@ -117,18 +121,6 @@ def _segments(body: Body, swim: Swim) -> Iterator[Found]:
     yield sharp_turn(model, cruise, first)
     fast, _, beat = ready[Pattern.SWIM_FAST]
     yield fast_start(body_model(body, swim, "firm"), fast, beat)
-
-
-def _stroke(swim: Swim, amplitude: float, pace: float) -> Stroke:
-    """Return the stroke of a gear whose beat lasts whole frames."""
-    frames = floor(TICKS_PER_SECOND / (swim.frequency_hz * pace) + 0.5)
-    return Stroke(
-        amplitude * swim.contraction_middle,
-        amplitude * swim.contraction_rear,
-        swim.lag_deg * DEGREE,
-        SUBSTEPS * max(frames, 4),
-        0.0,
-    )
 
 
 def _in_phase(model: BodyModel, stroke: Stroke) -> tuple[Stroke, int, Recording]:

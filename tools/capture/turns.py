@@ -15,6 +15,7 @@ from components.segment import Pattern, Segment
 from components.trigonometry import DEGREE
 from systems.motor.biomechanics import SUBSTEPS
 from systems.motor.contract import TURN_PULSE, Stroke
+from systems.motor.controllers import turn_left
 from systems.motor.muscle_model import BodyModel
 from tools.capture.bend import SHARP_LEAST, TURN_GAP, Bend, largest_joint, level_turn
 from tools.capture.cut import body_shape, cut, shape_gap
@@ -44,7 +45,7 @@ _PULSE_SECONDS: Final = max(float(p[1:].sum()) for p in TURN_PULSE)
 def gradual_turn(model: BodyModel, stroke: Stroke, first: int) -> Found:
     """Return a gradual left turn out of the cruise at frame `first`; it ends in the cruise's shape and phase."""
     period = stroke.period // SUBSTEPS
-    turning = stroke._replace(turn=GRADUAL, turn_at=SUBSTEPS * (first + 1))
+    turning = turn_left(stroke, GRADUAL, first + 1)
     recording = record(model, turning, first + _LONGEST_TURN * period + 1)
     beats = floor(_PULSE_SECONDS * TICKS_PER_SECOND / period) + 1
     while beats < _LONGEST_TURN and shape_gap(recording, first, first + beats * period) > TURN_GAP:
@@ -79,7 +80,7 @@ def _tries(model: BodyModel, stroke: Stroke, first: int) -> Iterator[_Try]:
         record(model, stroke, begin, state)
         beat = record(model, stroke, period, state.copy(), begin)
         for scale in SHARP_SCALES:
-            turning = stroke._replace(turn=scale, turn_at=SUBSTEPS * (begin + 1))
+            turning = turn_left(stroke, scale, begin + 1)
             recording = record(model, turning, SHARP_END[1] + 2, state.copy(), begin)
             yield _cut_in_beat(recording, beat)
 
