@@ -11,7 +11,9 @@ from components.fish import Population
 from components.repertoire import Pattern, RepertoireLibrary
 from components.terrain import Terrain, ground_height
 from systems.motor.move import (
+    BRAKING,
     MARGIN,
+    PACES,
     SHORTEST_WARP,
     WARP_STEP,
     Move,
@@ -304,3 +306,78 @@ def test_no_fish_swims_into_the_ground(
         x, y, z = fish.fish.position[0]
         lowest = min(lowest, z - ground_height(sea.height, sea.extent, sea.cell, x, y))
     assert lowest == pytest.approx(MARGIN, abs=1e-6)
+
+
+@pytest.mark.parametrize(("throttle", "share"), [(0.5, 0.5), (1.15, 1.15), (9.0, PACES[1])])
+def test_a_swim_is_played_at_speeds_between_the_captured_ones(
+    school: School, library: RepertoireLibrary, sea: Terrain, throttle: float, share: float
+) -> None:
+    fish = school(1, library)
+    fish.motor.throttle[0] = throttle
+    move = Move(fish, library, sea, Clock())
+    for _ in range(60):
+        move()
+    start = fish.fish.position[0].copy()
+    for _ in range(150):
+        move()
+    way = fish.fish.position[0] - start
+    assert way[0] == pytest.approx(share * 2.0 * 150 / 60, rel=0.01)
+
+
+def test_a_fish_brakes_without_a_jerk_stands_and_backs(
+    school: School, library: RepertoireLibrary, sea: Terrain
+) -> None:
+    fish = school(1, library)
+    move = Move(fish, library, sea, Clock())
+    places = [fish.fish.position[0, 0]]
+    for tick in range(240):
+        fish.motor.throttle[0] = 0.0 if tick < 120 else -1.0
+        move()
+        places.append(fish.fish.position[0, 0])
+    speed = np.diff(places) * 60
+    assert speed[:20].mean() > 0.5
+    assert np.abs(speed[30:120]).max() < 1e-9
+    assert speed[-15:].mean() == pytest.approx(PACES[0] * 2.0, rel=0.01)
+    assert np.abs(np.diff(speed)).max() < 1.2 * BRAKING * 2.0
+
+
+def test_a_turn_is_played_as_captured_whatever_the_throttle(
+    school: School, library: RepertoireLibrary, sea: Terrain
+) -> None:
+    fish = school(1, library)
+    fish.motor.throttle[0] = 0.0
+    move = Move(fish, library, sea, Clock())
+    for _ in range(60):
+        move()
+    assert fish.motor.pace[0] == 0.0
+    fish.motor.wanted[0] = library.segment[0, Pattern.TURN_LEFT]
+    for _ in range(42):
+        move()
+    assert fish.motor.pace[0] == 1.0
+
+
+def test_gliding_as_the_paper_prints_it_stands_and_runs_straight_to_the_new_shape(
+    school: School, captured: RepertoireLibrary, sea: Terrain
+) -> None:
+    fish = school(1, captured)
+    move = Move(fish, captured, sea, Clock(), gliding="paper")
+    move()
+    before = pose(fish, captured, body=True)[0]
+    place, axes = fish.fish.position[0].copy(), fish.fish.rotation[0].copy()
+    fish.motor.wanted[0] = captured.segment[0, Pattern.TURN_SHARP_LEFT]
+    move()
+    length, shapes = int(fish.motor.warp_length[0]), [before, pose(fish, captured, body=True)[0]]
+    to = captured.shape[fish.motor.warp_to[0]]
+    gap = np.sqrt(((before - to) ** 2).sum(axis=1).max())
+    assert length == np.ceil(gap / WARP_STEP) > 1
+    for _ in range(length - 1):
+        move()
+        shapes.append(pose(fish, captured, body=True)[0])
+    assert np.array_equal(fish.fish.position[0], place)
+    assert np.array_equal(fish.fish.rotation[0], axes)
+    np.testing.assert_allclose(shapes[-1], to, atol=1e-6)
+    np.testing.assert_allclose(
+        np.diff(shapes, axis=0), np.tile((to - before) / length, (length, 1, 1)), atol=1e-6
+    )
+    move()
+    assert not np.array_equal(fish.fish.position[0], place)
