@@ -27,8 +27,8 @@ PARALLEL_FROM: Final = 500
 
 CHUNKS: Final = 64
 
-WARP_STEP: Final = 0.04
-"""[BL] that the fading offset may move a node in a tick (FINDINGS 1; appendix A's M_max)."""
+WARP_STEP: Final = 0.03
+"""[BL] that the fading offset may move a node in a tick: appendix A's M_max."""
 
 SHORTEST_WARP: Final = 4
 """[ticks]"""
@@ -48,12 +48,12 @@ FASTEST_RIGHTING: Final = 1.5 * TICK_SECONDS
 MARGIN: Final = 0.5
 """How far a fish's origin keeps from ground, rocks, surface and rim, over its length."""
 
-PACES: Final = (-0.35, 1.2)
+PACES: Final = (-0.2, 1.2)
 """Slowest and fastest that a swim is played over its own speed. Beats stay as captured, strides stretch: by a fifth
 more, so that Strouhal numbers of .25 to .3 stay above .2, and backwards no faster than fins row."""
 
-BRAKING: Final = 2.5 * TICK_SECONDS
-"""Most that the pace falls in a tick: a cruising fish stands after .4 s, as the muscle model's fins brake it."""
+BRAKING: Final = 1.5 * TICK_SECONDS
+"""Most that the pace falls in a tick: a cruising fish stands after .7 s, as the muscle model's fins brake it."""
 
 GAINING: Final = 1.5 * TICK_SECONDS
 """Most that the pace rises in a tick."""

@@ -206,8 +206,11 @@ def _changes(
         yield segment != fish.motor.segment[:n], before, shown
 
 
+@pytest.mark.parametrize(
+    ("ticks", "least"), [(240, 1_000), pytest.param(2_400, 10_000, marks=pytest.mark.prove)]
+)
 def test_no_change_of_segment_makes_a_node_jump(
-    school: School, captured: RepertoireLibrary, sea: Terrain
+    school: School, captured: RepertoireLibrary, sea: Terrain, ticks: int, least: int
 ) -> None:
     fish = school(120, captured)
     fish.fish.species[60:120] = 1
@@ -215,12 +218,12 @@ def test_no_change_of_segment_makes_a_node_jump(
     fish.motor.frame[60:120] = 0
     fish.motor.shape_row[60:120] = captured.start[captured.segment[1, 1]] + 19
     worst, changes = 0.0, 0
-    for switched, before, shown in _changes(fish, captured, sea, 240):
+    for switched, before, shown in _changes(fish, captured, sea, ticks):
         jump = shown - before - _own_motion(fish, captured, switched)
         worst = max(worst, float(np.sqrt((jump**2).sum(-1)).max()))
         changes += int(switched.sum())
-    assert changes > 1000
-    assert worst < WARP_STEP + 1e-6
+    assert changes > least
+    assert worst < 0.03 + 1e-6
 
 
 def test_the_last_pose_is_the_pose_of_the_tick_before(
@@ -278,17 +281,17 @@ def test_all_threads_and_one_compute_the_same_bits(
     assert len(_state(serial)) == 300
 
 
-def test_a_fish_looked_at_moves_as_one_unseen(
+def test_a_fish_unseen_for_ten_seconds_is_where_and_as_one_looked_at(
     school: School, library: RepertoireLibrary, sea: Terrain
 ) -> None:
     seen, unseen = school(4, library), school(4, library)
     for fish, looks in ((seen, True), (unseen, False)):
         fish.motor.wanted[:4] = (0, 2, 3, 4)
         move = Move(fish, library, sea, Clock())
-        for k in range(60):
+        for k in range(600):
             move()
             if looks:
-                pose(fish, library, alpha=k / 60)
+                pose(fish, library, alpha=k / 600)
     assert _state(seen) == _state(unseen)
 
 
@@ -336,7 +339,7 @@ def test_a_fish_brakes_without_a_jerk_stands_and_backs(
         places.append(fish.fish.position[0, 0])
     speed = np.diff(places) * 60
     assert speed[:20].mean() > 0.5
-    assert np.abs(speed[30:120]).max() < 1e-9
+    assert np.abs(speed[45:120]).max() < 1e-9
     assert speed[-15:].mean() == pytest.approx(PACES[0] * 2.0, rel=0.01)
     assert np.abs(np.diff(speed)).max() < 1.2 * BRAKING * 2.0
 
