@@ -21,6 +21,10 @@ class MotorTable(Table):
     "demand: 0 slow, 1 medium, 2 fast, (capacity,)"
     urgency: Float64s = column(np.float64)
     "demand: 0 for leisure to 1 for danger; lets steering turn faster, (capacity,)"
+    throttle: Float64s = column(np.float64, fill=1.0)
+    "demand: speed over the swim's own, 1 as captured, 0 to brake and stand, below 0 to back, (capacity,)"
+    pace: Float64s = column(np.float64, fill=1.0)
+    "the speed over the segment's own that is played now, (capacity,)"
     steer: Float64s = column(np.float64, 3)
     "rotation vector [rad] of this tick's fine steering, world axes, (capacity, 3)"
     segment: Int32s = column(np.int32)

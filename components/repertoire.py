@@ -20,6 +20,7 @@ from components.segment import (
     heading_change,
     mean_speed,
     mirrored,
+    turn_left_over,
 )
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "mirrored",
     "pack",
     "save",
+    "turn_left_over",
 ]
 
 _Array = TypeVar("_Array", Float32s, Float64s)
@@ -58,7 +60,7 @@ class RepertoireLibrary:
     pattern: Int8s
     "the segment's `Pattern`, (S,)"
     segment: Int32s
-    "segment of (species, Pattern), -1 where there is none, (species, 5)"
+    "segment of (species, Pattern), -1 where there is none, (species, 9)"
     speed: Float64s
     "mean speed of a segment [BL/s], (S,)"
     turn: Float64s

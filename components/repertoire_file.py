@@ -29,7 +29,7 @@ import numpy as np
 
 from components.arrays import AnyArray
 from components.body import NODES
-from components.segment import MIRROR_IMAGES, Pattern, Repertoire, Segment
+from components.segment import REQUIRED, Pattern, Repertoire, Segment
 
 VERSION: Final = 1
 SIZE_LIMIT: Final = 16 << 20
@@ -45,7 +45,6 @@ _ARRAYS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
     "shape": ("<f4", (-1, NODES, 3)),
     "provenance": ("|u1", (-1,)),
 }
-_CAPTURED: Final = frozenset(Pattern) - {other for _, other in MIRROR_IMAGES}
 _REACH: Final = 3.0
 """[BL] farther than any node of a body lies from its origin."""
 
@@ -205,7 +204,7 @@ def _check_lengths(held: dict[str, AnyArray], lengths: list[int]) -> None:
         raise _UnfitError(
             f"patterns {patterns} are not of 0 to {len(Pattern) - 1}, each at most once"
         )
-    missing = sorted(_CAPTURED - set(patterns))
+    missing = sorted(REQUIRED - set(patterns))
     if missing:
         raise _UnfitError(f"has no {', '.join(Pattern(p).name.lower() for p in missing)}")
     if not set(loops) <= {0, 1}:

@@ -7,14 +7,15 @@ Playing entry k: R <- R M_k, o <- o + R_before (length t_k), nodes = o + R (leng
 
 from dataclasses import dataclass
 from enum import IntEnum
-from math import fsum, sqrt
+from math import fsum
 from typing import Final
 
 import numpy as np
 
 from components.arrays import Float32s, Float64s
 from components.clock import TICKS_PER_SECOND
-from components.trigonometry import cosine, sine
+from components.kernels import row
+from components.trigonometry import arc
 
 
 class Pattern(IntEnum):
@@ -25,6 +26,10 @@ class Pattern(IntEnum):
     SWIM_FAST = 2
     TURN_LEFT = 3
     TURN_RIGHT = 4
+    TURN_SHARP_LEFT = 5
+    TURN_SHARP_RIGHT = 6
+    FAST_START_LEFT = 7
+    FAST_START_RIGHT = 8
 
 
 @dataclass(frozen=True)
@@ -50,8 +55,17 @@ class Repertoire:
     "fingerprint of body, parameters and kernels; no date, no host"
 
 
-MIRROR_IMAGES: Final = ((Pattern.TURN_LEFT, Pattern.TURN_RIGHT),)
+MIRROR_IMAGES: Final = (
+    (Pattern.TURN_LEFT, Pattern.TURN_RIGHT),
+    (Pattern.TURN_SHARP_LEFT, Pattern.TURN_SHARP_RIGHT),
+    (Pattern.FAST_START_LEFT, Pattern.FAST_START_RIGHT),
+)
 """What is captured, and what is made of it as repertoires are packed."""
+
+REQUIRED: Final = frozenset(
+    (Pattern.SWIM_SLOW, Pattern.SWIM_MEDIUM, Pattern.SWIM_FAST, Pattern.TURN_LEFT)
+)
+"""Without these no species swims; sharp turns and fast starts are played where there are any."""
 
 _MIRRORED_NODE = np.array([0] + [4 * r + 1 + s for r in range(5) for s in (1, 0, 3, 2)] + [21, 22])
 _FLIP = np.array([1.0, 1.0, -1.0])
@@ -68,15 +82,28 @@ def mirrored(segment: Segment, pattern: Pattern) -> Segment:
     )
 
 
+@row
+def turn_left_over(rotation: Float64s, left: Float64s) -> None:
+    """Write how far [rad] the anterior axis turns to the left from each entry on to a segment's end.
+
+    `rotation` is the segment's M, (N, 3, 3), `left` (N,); each angle lies within half a turn either way.
+    """
+    x, y, z = 1.0, 0.0, 0.0
+    for k in range(len(rotation) - 1, -1, -1):
+        m = rotation[k]
+        x, y, z = (
+            m[0, 0] * x + m[0, 1] * y + m[0, 2] * z,
+            m[1, 0] * x + m[1, 1] * y + m[1, 2] * z,
+            m[2, 0] * x + m[2, 1] * y + m[2, 2] * z,
+        )
+        left[k] = arc(x, -z)
+
+
 def heading_change(segment: Segment) -> float:
     """Return the angle [rad] by which a segment turns the body's anterior axis to the left."""
-    x, y, z = 1.0, 0.0, 0.0
-    for m in segment.rotation[::-1].tolist():
-        x, y, z = (row[0] * x + row[1] * y + row[2] * z for row in m)
-    angle = 0.0
-    for _ in range(12):  # sin(target - angle) brings it three times as many digits each time
-        angle += (-z * cosine(angle) - x * sine(angle)) / sqrt(x * x + z * z)
-    return angle
+    left = np.zeros(len(segment.rotation))
+    turn_left_over(segment.rotation, left)
+    return float(left[0])
 
 
 def mean_speed(segment: Segment) -> float:

@@ -5,7 +5,7 @@ Range reduction to [-pi/4, pi/4] in two parts of pi/2 (Cody and Waite), then Tay
 degree 15 and 16: the error stays below 4e-16 for |angle| < 1e5, against the C library in a test.
 """
 
-from math import floor
+from math import floor, sqrt
 from typing import Final
 
 from components.kernels import row
@@ -62,3 +62,17 @@ def cosine(angle: float) -> float:
     quadrant = int(turns) & 3
     value = _sine_near(x) if quadrant & 1 else _cosine_near(x)
     return -value if quadrant in (1, 2) else value
+
+
+@row
+def arc(x: float, y: float) -> float:
+    """Return the angle [rad] from the x axis to the direction (x, y), within half a turn either way.
+
+    sin(target - angle) brings it three times as many digits each time; NaN where x = y = 0.
+    """
+    size = sqrt(x * x + y * y)
+    x, y = x / size, y / size
+    angle = 0.0 if x >= 0.0 else (_HALF_PI_HIGH if y >= 0.0 else -_HALF_PI_HIGH)
+    for _ in range(6):
+        angle += y * cosine(angle) - x * sine(angle)
+    return angle

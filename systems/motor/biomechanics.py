@@ -26,6 +26,7 @@ from systems.motor.muscle_model import (
     SPRINGS,
     BodyModel,
 )
+from systems.motor.pectorals import press
 
 SUBSTEPS: Final = 4
 """Substeps a tick; dt is part of the model."""
@@ -34,15 +35,6 @@ SUBSTEP_SECONDS: Final = 1.0 / 240.0
 UNKNOWNS: Final = 3 * NODES
 BAND_SIZE: Final = 25 * UNKNOWNS
 """Length of the flat band. A stride of 24 leaves the places just below the diagonal free to be written over."""
-
-LIFT: Final = 400.0
-"""Water's drag on a face that moves outwards, c_l."""
-
-SKIN_FRICTION: Final = 0.5
-"""Drag along a face, c_t."""
-
-STREAMLINING: Final = 0.25
-"""How much of a normal's part along the centre line the water feels, s."""
 
 
 class Workspace(NamedTuple):
@@ -159,8 +151,10 @@ def _centre(position: Float64s, place: int, axis: int) -> float:
 
 
 @row
-def _add_water(position: Float64s, velocity: Float64s, axes: Float64s, band: Float64s) -> None:
-    """Add the water's drag: -LIFT A (v.n~) n~ where v.n~ > 0, and -SKIN_FRICTION A v_tangential on every face."""
+def _add_water(
+    water: Float64s, position: Float64s, velocity: Float64s, axes: Float64s, band: Float64s
+) -> None:
+    """Add the water's drag: -c_l A (v.n~) n~ where v.n~ > 0, and -c_t A v_tangential on every face."""
     for segment in range(SEGMENTS):
         x = _centre(position, segment, 0) - _centre(position, segment + 1, 0)
         y = _centre(position, segment, 1) - _centre(position, segment + 1, 1)
@@ -168,12 +162,17 @@ def _add_water(position: Float64s, velocity: Float64s, axes: Float64s, band: Flo
         inverse = 1.0 / sqrt(x * x + y * y + z * z)
         axes[segment, 0], axes[segment, 1], axes[segment, 2] = x * inverse, y * inverse, z * inverse
     for face in range(FACES):
-        _add_face(face, position, velocity, axes, band)
+        _add_face(face, water, position, velocity, axes, band)
 
 
 @row
 def _add_face(
-    face: int, position: Float64s, velocity: Float64s, axes: Float64s, band: Float64s
+    face: int,
+    water: Float64s,
+    position: Float64s,
+    velocity: Float64s,
+    axes: Float64s,
+    band: Float64s,
 ) -> None:
     a, b, c, d = FACE[face, 0], FACE[face, 1], FACE[face, 2], FACE[face, 3]
     px, py, pz = (
@@ -192,7 +191,7 @@ def _add_face(
     x, y, z = x * inverse, y * inverse, z * inverse
     segment = FACE_SEGMENT[face]
     lx, ly, lz = axes[segment, 0], axes[segment, 1], axes[segment, 2]
-    part = (1.0 - STREAMLINING) * (x * lx + y * ly + z * lz)
+    part = (1.0 - water[2]) * (x * lx + y * ly + z * lz)
     lx, ly, lz = x - part * lx, y - part * ly, z - part * lz
     u = v = w = 0.0
     for i in range(4):
@@ -201,8 +200,8 @@ def _add_face(
         v += weight * velocity[node, 1]
         w += weight * velocity[node, 2]
     scale = 0.5 * size * SUBSTEP_SECONDS
-    friction = SKIN_FRICTION * scale
-    lift = LIFT * scale if u * lx + v * ly + w * lz > 0.0 else 0.0
+    friction = water[1] * scale
+    lift = water[0] * scale if u * lx + v * ly + w * lz > 0.0 else 0.0
     xx = friction * (1.0 - x * x) + lift * lx * lx
     yy = friction * (1.0 - y * y) + lift * ly * ly
     zz = friction * (1.0 - z * z) + lift * lz * lz
@@ -286,7 +285,23 @@ def assemble(model: BodyModel, position: Float64s, velocity: Float64s, work: Wor
     """Write the band and right side of one substep from `work.rest`; `position` and `velocity` are (23, 3)."""
     _add_inertia(model.mass, velocity, work.band, work.right)
     _add_springs(model, work.rest, position, work.band, work.right)
-    _add_water(position, velocity, work.axes, work.band)
+    _add_water(model.water, position, velocity, work.axes, work.band)
+
+
+@row
+def drive(
+    model: BodyModel,
+    stroke: Stroke,
+    step: int,
+    position: Float64s,
+    velocity: Float64s,
+    work: Workspace,
+) -> None:
+    """Write the band and right side of substep `step` of `stroke`: muscles, water and fins."""
+    contract(stroke, model.length, step, SUBSTEP_SECONDS, work.rest)
+    assemble(model, position, velocity, work)
+    fins, drag = stroke.fins, model.water[0]
+    press(fins, drag, model.mass, position, velocity, step, SUBSTEP_SECONDS, work.right)
 
 
 @row
@@ -318,5 +333,6 @@ def advance(
 ) -> None:
     """Advance one frame of 1/60 s of `stroke`; `frame` counts from the stroke's start."""
     for step in range(SUBSTEPS * frame, SUBSTEPS * (frame + 1)):
-        contract(stroke, model.length, step, SUBSTEP_SECONDS, work.rest)
-        substep(model, position, velocity, work)
+        drive(model, stroke, step, position, velocity, work)
+        solve(work.band, work.right)
+        move_nodes(position, velocity, work.right)

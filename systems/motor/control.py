@@ -2,8 +2,9 @@
 careful steering of section 6.2.
 
 A mind demands a direction, a gear and an urgency. Control turns them into a segment of the
-repertoire (a turn towards a direction far to the side, else the swim of the gear) and into a small
-rotation a tick, which aligns the body's x axis with the direction. Angles are taken from half
+repertoire (a gradual or a sharp turn towards a direction far to the side, a fast start for dear life,
+else the swim of the gear) and into a small rotation a tick, which aligns the body's x axis, or where
+a turn will have brought it, with the direction. Angles are taken from half
 tangents, so nothing here needs trigonometry.
 """
 
@@ -11,32 +12,17 @@ from math import sqrt
 from typing import Final, NamedTuple
 
 import numba
-import numpy as np
 
-from components import chance
 from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.clock import TICK_SECONDS, Clock
 from components.fish import FishTable, Population
 from components.kernels import inlined, loop, row
 from components.motor import MotorTable
 from components.repertoire import Pattern, RepertoireLibrary
+from systems.motor.choose import HALF_TURN, Gaits, after, gaits, pick, swim_of_gear
 
 PARALLEL_FROM: Final = 500
 CHUNKS: Final = 64
-
-TURN_FROM: Final = 0.61
-"""[rad] to the side, 35 degrees, from which a turn segment is worth while."""
-
-TURN_SHARE: Final = 0.6
-"""... and the share of the segment's own turn from which it is."""
-
-TURN_DONE: Final = 0.15
-"""[rad] left to turn at which a turn segment is broken off."""
-
-REST_TICKS: Final = 24
-"""[ticks] of swimming between two turns, and between two changes of gear, at leisure."""
-
-URGENT_REST_TICKS: Final = 6
 
 YAW_RATE: Final = (0.8, 2.5)
 """[rad/s] of fine steering at most, at leisure and in danger."""
@@ -63,18 +49,6 @@ FULL_STEERING_SPEED: Final = 1.5
 LEAST_STEERING: Final = 0.4
 """Share of the rates that is left without any speed."""
 
-LEISURE: Final = 0.25
-"""Urgency below which a fish may play another gear than it is asked for."""
-
-MOOD_TICKS: Final = 150
-"""[ticks] that a mood lasts at least."""
-
-MOOD_SPREAD: Final = 128
-"""[ticks] of which a share, drawn by the fish's id, comes on top; a power of two."""
-
-HABIT: Final = 1 << 40
-"""Where the stream of segments, elsewhere counted by ticks, holds each fish's habits."""
-
 
 class Swimmers(NamedTuple):
     """The columns of the fish and motor tables that control reads, and last those it writes."""
@@ -87,18 +61,10 @@ class Swimmers(NamedTuple):
     urgency: Float64s
     segment: Int32s
     held: Int32s
+    frame: Int32s
     warp_length: Int32s
     wanted: Int32s
     steer: Float64s
-
-
-class Gaits(NamedTuple):
-    """The columns of the library that control reads."""
-
-    segment: Int32s
-    pattern: Int8s
-    speed: Float64s
-    turn: Float64s
 
 
 def swimmers(fish: FishTable, motor: MotorTable) -> Swimmers:
@@ -110,10 +76,12 @@ def swimmers(fish: FishTable, motor: MotorTable) -> Swimmers:
 
 @inlined
 def half_tangent_angle(sine: float, cosine: float) -> float:
-    """Return the angle [rad] of a sine and a cosine: to 0.01 rad up to a quarter turn either way,
-    and a quarter turn's value beyond."""
-    half = sine / (1.0 + cosine) if cosine > 0.0 else (1.0 if sine >= 0.0 else -1.0)
-    return 2.0 * half / (1.0 + 0.28125 * half * half)
+    """Return the angle [rad] of a sine and a cosine, to 0.01 rad, within half a turn either way."""
+    half = sine / (1.0 + abs(cosine))
+    near = 2.0 * half / (1.0 + 0.28125 * half * half)
+    if cosine > 0.0:
+        return near
+    return HALF_TURN - near if sine >= 0.0 else -HALF_TURN - near
 
 
 @inlined
@@ -167,44 +135,6 @@ def _steer(
     steer[0], steer[1], steer[2] = lift * right_x, lift * right_y, turn
 
 
-@inlined
-def mood(seed: int, tick: int, identity: int) -> int:
-    """Return the gear that a fish at leisure prefers to the one asked for: -1, 0 or 1 beside it.
-
-    Each fish draws a new one every few seconds, at ticks of its own, so that no school swims in
-    lockstep (6.1's recommendation to switch at random).
-    """
-    habit = chance.draw(seed, chance.SEGMENT, HABIT, identity)
-    lasts = MOOD_TICKS + int(habit & np.uint64(MOOD_SPREAD - 1))
-    started = (tick + int((habit >> np.uint64(16)) & np.uint64(0xFFFF))) // lasts
-    drawn = chance.uniform(seed, chance.SEGMENT, started, identity)
-    return -1 if drawn < 0.2 else (1 if drawn > 0.85 else 0)
-
-
-@inlined
-def _swim(gear: int, hurry: float, seed: int, tick: int, identity: int) -> int:
-    """Return the pattern of the swim for a demanded gear: at leisure slow and medium may change."""
-    if hurry < LEISURE and gear < Pattern.SWIM_FAST.value:
-        gear = max(0, min(Pattern.SWIM_MEDIUM.value, gear + mood(seed, tick, identity)))
-    return Pattern.SWIM_SLOW.value + max(0, min(Pattern.SWIM_FAST.value, gear))
-
-
-@inlined
-def _pick(
-    segments: Int32s, gaits: Gaits, current: int, swim: int, yaw: float, held: int, hurry: float
-) -> int:
-    """Return the segment to play: a turn far from the direction, else the swim, not too soon."""
-    rested = held >= REST_TICKS or (hurry > 0.5 and held >= URGENT_REST_TICKS)
-    if gaits.pattern[current] >= Pattern.TURN_LEFT.value:
-        left = gaits.pattern[current] == Pattern.TURN_LEFT.value
-        on = yaw > TURN_DONE if left else yaw < -TURN_DONE
-        return current if on else int(segments[swim])
-    side = int(segments[Pattern.TURN_LEFT.value if yaw > 0.0 else Pattern.TURN_RIGHT.value])
-    if side >= 0 and rested and abs(yaw) > max(TURN_FROM, TURN_SHARE * abs(gaits.turn[side])):
-        return side
-    return int(segments[swim]) if rested or hurry > 0.5 else current
-
-
 @row
 def control_rows(first: int, last: int, fish: Swimmers, gaits: Gaits, seed: int, tick: int) -> None:
     """Control the fishes of rows first to last - 1."""
@@ -213,15 +143,18 @@ def control_rows(first: int, last: int, fish: Swimmers, gaits: Gaits, seed: int,
         hurry = max(0.0, min(1.0, fish.urgency[i]))
         current = fish.segment[i]
         yaw = _yaw_left(r, g, steer[2])
-        swim = _swim(fish.gear[i], hurry, seed, tick, fish.id[i])
+        swim = swim_of_gear(fish.gear[i], hurry, seed, tick, fish.id[i])
         segments = gaits.segment[fish.species[i]]
-        wanted = _pick(segments, gaits, current, swim, yaw, fish.held[i], hurry)
+        frame = fish.frame[i]
+        wanted = pick(segments, gaits, current, swim, yaw, frame, fish.held[i], hurry)
         fish.wanted[i] = wanted if wanted >= 0 else current
         speed = min(1.0, abs(gaits.speed[current]) / FULL_STEERING_SPEED)
         share = LEAST_STEERING + (1.0 - LEAST_STEERING) * speed
         turning = gaits.pattern[current] >= Pattern.TURN_LEFT.value
         if turning or fish.warp_length[i] > 0:
             share *= GENTLE
+        if turning and frame < gaits.length[current]:
+            yaw = after(yaw, gaits.left[gaits.start[current] + frame])
         _steer(r, steer, yaw, _pitch_left(r, g), hurry, share)
 
 
@@ -240,7 +173,7 @@ class Control:
     def __init__(self, population: Population, library: RepertoireLibrary, clock: Clock) -> None:
         self.population = population
         self.clock = clock
-        self.gaits = Gaits(*(getattr(library, name) for name in Gaits._fields))
+        self.gaits = gaits(library)
 
     def __call__(self) -> None:
         """Choose segment and steering of every fish for this tick."""

@@ -1,13 +1,14 @@
 """Move: every fish plays its segment, balances its roll and warps from one segment to the next
 (papers/000 sections 5.1 and 5.2, appendices A and B; FINDINGS 1 corrects their equations).
 
+Braking and backing are a forward swim with a negative acceleration and a negative speed (section 4.2).
 A change of segment keeps playing the new one and adds an offset of shape and of velocity that fades
 by a smoothstep: nobody stalls, and no node jumps. It serves fishes seen and unseen alike, so what
 the camera does changes nothing.
 """
 
 from math import floor, sqrt
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 import numba
 
@@ -26,8 +27,8 @@ PARALLEL_FROM: Final = 500
 
 CHUNKS: Final = 64
 
-WARP_STEP: Final = 0.04
-"""[BL] that the fading offset may move a node in a tick (FINDINGS 1; appendix A's M_max)."""
+WARP_STEP: Final = 0.03
+"""[BL] that the fading offset may move a node in a tick: appendix A's M_max."""
 
 SHORTEST_WARP: Final = 4
 """[ticks]"""
@@ -46,6 +47,16 @@ FASTEST_RIGHTING: Final = 1.5 * TICK_SECONDS
 
 MARGIN: Final = 0.5
 """How far a fish's origin keeps from ground, rocks, surface and rim, over its length."""
+
+PACES: Final = (-0.2, 1.2)
+"""Slowest and fastest that a swim is played over its own speed. Beats stay as captured, strides stretch: by a fifth
+more, so that Strouhal numbers of .25 to .3 stay above .2, and backwards no faster than fins row."""
+
+BRAKING: Final = 1.5 * TICK_SECONDS
+"""Most that the pace falls in a tick: a cruising fish stands after .7 s, as the muscle model's fins brake it."""
+
+GAINING: Final = 1.5 * TICK_SECONDS
+"""Most that the pace rises in a tick."""
 
 WIDEST_MARGIN: Final = 0.9
 """[m]: shallow water must stay passable to giants."""
@@ -68,6 +79,8 @@ class Motors(NamedTuple):
     steer: Float64s
     segment: Int32s
     wanted: Int32s
+    throttle: Float64s
+    pace: Float64s
     frame: Int32s
     held: Int32s
     shape_row: Int32s
@@ -101,7 +114,8 @@ def _switch(i: int, motor: Motors, track: Track, wanted: int) -> None:
     gap = sqrt(apart(track.shape[old], track.shape[to], False))
     motor.warp_from[i] = old
     motor.warp_to[i] = to
-    motor.warp_length[i] = max(SHORTEST_WARP, floor(gap * (SMOOTHSTEP_SLOPE / WARP_STEP)) + 1)
+    slope, shortest = (1.0, 1) if track.literal else (SMOOTHSTEP_SLOPE, SHORTEST_WARP)
+    motor.warp_length[i] = max(shortest, floor(gap * (slope / WARP_STEP)) + 1)
     motor.warp_age[i] = 0
     for k in range(3):
         motor.glide[i, k] = track.translation[old, k] - track.translation[to, k]
@@ -144,6 +158,33 @@ def _fade(i: int, motor: Motors) -> float:
 
 
 @inlined
+def _pace(i: int, motor: Motors, loops: bool) -> float:
+    """Bring the pace nearer to the throttle; a turn is played as it was captured. Return the pace."""
+    pace: float = motor.pace[i]
+    if pace != 1.0 or motor.throttle[i] != 1.0:
+        wanted = max(PACES[0], min(PACES[1], motor.throttle[i])) if loops else 1.0
+        pace += max(-BRAKING, min(GAINING, wanted - pace))
+        motor.pace[i] = pace
+    return pace
+
+
+@row
+def _wait(i: int, fish: Bodies, motor: Motors) -> None:
+    """Glide as appendix A is printed: stay in place while the shape runs straight to the new segment's."""
+    age = motor.warp_age[i] + 1
+    motor.warp_age[i] = age
+    motor.warp_weight[i] = 1.0 - age / motor.warp_length[i]
+    if age == motor.warp_length[i]:
+        motor.warp_length[i] = 0
+        motor.warp_weight[i] = 0.0
+    motor.shape_row[i] = motor.warp_to[i]
+    for j in range(3):
+        fish.last_position[i, j] = fish.position[i, j]
+        for k in range(3):
+            fish.last_rotation[i, j, k] = fish.rotation[i, j, k]
+
+
+@inlined
 def roll(ahead: float, above: float, aside: float) -> float:
     """Return the roll [rad] from the upward parts of the body's x, y and z axes (appendix B).
 
@@ -168,8 +209,10 @@ def _righting(i: int, motor: Motors, angle: float) -> float:
 
 
 @inlined
-def _play(i: int, t: Float64s, m: Float64s, weight: float, fish: Bodies, motor: Motors) -> None:
-    """Play an entry: o <- o + R (length (t + weight glide)), eq. 11, then R <- steer R M, eq. 10,
+def _play(
+    i: int, t: Float64s, m: Float64s, weight: float, pace: float, fish: Bodies, motor: Motors
+) -> None:
+    """Play an entry: o <- o + R (pace length (t + weight glide)), eq. 11, then R <- steer R M, eq. 10,
     less the part of the mean roll that balance takes out now.
 
     All loads stand before the stores: what was just stored would be waited for.
@@ -179,7 +222,7 @@ def _play(i: int, t: Float64s, m: Float64s, weight: float, fish: Bodies, motor: 
     r10, r11, r12 = r[1, 0], r[1, 1], r[1, 2]
     r20, r21, r22 = r[2, 0], r[2, 1], r[2, 2]
     x, y, z = o[0], o[1], o[2]
-    size = fish.length[i]
+    size = pace * fish.length[i]
     u = size * (t[0] + weight * motor.glide[i, 0])
     v = size * (t[1] + weight * motor.glide[i, 1])
     w = size * (t[2] + weight * motor.glide[i, 2])
@@ -207,22 +250,46 @@ def _play(i: int, t: Float64s, m: Float64s, weight: float, fish: Bodies, motor: 
     set_axes(r, ax, ay, az, bx, by, bz)
 
 
+@inlined
+def _step(i: int, fish: Bodies, motor: Motors, track: Track, literal: bool) -> None:
+    motor.last_shape_row[i] = motor.shape_row[i]
+    motor.last_warp_weight[i] = motor.warp_weight[i]
+    motor.held[i] += 1
+    _choose(i, fish, motor, track)
+    if literal and motor.warp_length[i] > 0:
+        _wait(i, fish, motor)
+        return
+    segment = motor.segment[i]
+    frame = motor.frame[i]
+    entry = track.start[segment] + frame
+    weight = _fade(i, motor)
+    pace = _pace(i, motor, track.loops[segment] == 1)
+    _play(i, track.translation[entry], track.rotation[entry], weight, pace, fish, motor)
+    motor.shape_row[i] = entry
+    frame += 1
+    motor.frame[i] = 0 if frame == track.length[segment] and track.loops[segment] else frame
+
+
 @row
 def advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -> None:
     """Play one entry for the fishes of rows first to last - 1."""
     for i in range(first, last):
-        motor.last_shape_row[i] = motor.shape_row[i]
-        motor.last_warp_weight[i] = motor.warp_weight[i]
-        motor.held[i] += 1
-        _choose(i, fish, motor, track)
-        segment = motor.segment[i]
-        frame = motor.frame[i]
-        entry = track.start[segment] + frame
-        weight = _fade(i, motor)
-        _play(i, track.translation[entry], track.rotation[entry], weight, fish, motor)
-        motor.shape_row[i] = entry
-        frame += 1
-        motor.frame[i] = 0 if frame == track.length[segment] and track.loops[segment] else frame
+        _step(i, fish, motor, track, False)
+
+
+@row
+def advance_literally(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -> None:
+    """Play one entry for the fishes of rows first to last - 1, gliding as appendix A is printed."""
+    for i in range(first, last):
+        _step(i, fish, motor, track, True)
+
+
+@row
+def _advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -> None:
+    if track.literal:
+        advance_literally(first, last, fish, motor, track)
+    else:
+        advance(first, last, fish, motor, track)
 
 
 @row
@@ -234,7 +301,7 @@ def _hold_inside(first: int, last: int, fish: Bodies, terrain: Terrain) -> None:
 @row
 def move_serial(count: int, fish: Bodies, motor: Motors, track: Track, terrain: Terrain) -> None:
     """Move `count` fishes on this thread."""
-    advance(0, count, fish, motor, track)
+    _advance(0, count, fish, motor, track)
     _hold_inside(0, count, fish, terrain)
 
 
@@ -243,21 +310,26 @@ def move_parallel(count: int, fish: Bodies, motor: Motors, track: Track, terrain
     """Move `count` fishes on all threads; to the same bits as `move_serial`."""
     for chunk in numba.prange(CHUNKS):
         first, last = chunk * count // CHUNKS, (chunk + 1) * count // CHUNKS
-        advance(first, last, fish, motor, track)
+        _advance(first, last, fish, motor, track)
         _hold_inside(first, last, fish, terrain)
 
 
 class Move:
-    """Reads steer, wanted segment, species, length, library and terrain; writes the rest of the
+    """Reads steer, throttle, wanted segment, species, length, library and terrain; writes the rest of the
     motor table and the fishes' position and rotation, now and a tick ago."""
 
     def __init__(
-        self, population: Population, library: RepertoireLibrary, terrain: Terrain, clock: Clock
+        self,
+        population: Population,
+        library: RepertoireLibrary,
+        terrain: Terrain,
+        clock: Clock,
+        gliding: Literal["decay", "paper"] = "decay",
     ) -> None:
         self.population = population
         self.terrain = terrain
         self.clock = clock
-        self.track = track(library)
+        self.track = track(library, literal=gliding == "paper")
 
     def __call__(self) -> None:
         """Move every fish by one tick."""

@@ -29,6 +29,16 @@ _AROUND: Final = ((0, 1), (1, 2), (2, 3), (3, 0))
 """Neighbours around a ring: top, right, bottom, left edge."""
 
 
+LAWS: Final[dict[str, Float64s]] = {
+    "streamlined": np.array([400.0, 0.5, 0.25]),
+    "published": np.array([400.0, 0.0, 1.0]),
+    "firm": np.array([800.0, 0.5, 0.25]),
+}
+"""The water's laws: drag on a face that moves outwards c_l, drag along a face c_t, and how much of a normal's
+part along the centre line the water feels s. "streamlined" is the game's, "published" the paper's, and "firm"
+the one of fast starts, whose quick wide strokes take more water along than a quasi-steady drag knows."""
+
+
 class BodyModel(NamedTuple):
     """The numbers of one body; springs in the order of `SPRING`, nodes as components/body.py numbers them."""
 
@@ -42,6 +52,8 @@ class BodyModel(NamedTuple):
     "c, (91,)"
     start: Float64s
     "[BL] nodes at rest, world axes: x ahead, y left, z up, (23, 3)"
+    water: Float64s
+    "how the water acts, one of `LAWS`, (3,)"
 
 
 def _springs() -> list[tuple[int, int, float]]:
@@ -97,8 +109,11 @@ LEFT: Final[Int64s] = np.array([1, 0, 0, 1], np.int64)
 """1 where a muscle of a segment is on the left: top-left and bottom-left, (4,)."""
 
 
-def body_model(body: Body, swim: Swim) -> BodyModel:
-    """Return the model of `body`, tuned for `swim`, by the rule from geometry (FINDINGS 1b)."""
+def body_model(body: Body, swim: Swim, law: str = "streamlined") -> BodyModel:
+    """Return the model of `body`, tuned for `swim`, by the rule from geometry (FINDINGS 1b), in water of `law`.
+
+    Raise KeyError for a law that `LAWS` does not hold.
+    """
     mass, firmness = _masses(body)
     nodes = rest_nodes(body)
     ends = nodes[SPRING[:, 1]] - nodes[SPRING[:, 0]]
@@ -108,7 +123,14 @@ def body_model(body: Body, swim: Swim) -> BodyModel:
     stiffness = base * firm / _REFERENCE_STIFFNESS * (pace * pace) * body.stiffness
     length = np.sqrt(ends[:, 0] * ends[:, 0] + ends[:, 1] * ends[:, 1] + ends[:, 2] * ends[:, 2])
     start = np.stack((nodes[:, 0], -nodes[:, 2], nodes[:, 1]), axis=1)
-    return BodyModel(mass, length, stiffness, _DAMPING * stiffness, np.ascontiguousarray(start))
+    return BodyModel(
+        mass,
+        length,
+        stiffness,
+        _DAMPING * stiffness,
+        np.ascontiguousarray(start),
+        LAWS[law].copy(),
+    )
 
 
 def _masses(body: Body) -> tuple[Float64s, Float64s]:

@@ -36,9 +36,11 @@ class Track(NamedTuple):
     pattern: Int8s
     "(S,)"
     segment: Int32s
-    "(species, 5)"
+    "(species, 9)"
     match: Int32s
-    "the frame of each pattern's segment whose shape is nearest to an entry's, 0 in turns, (E, 5)"
+    "the frame of each pattern's segment whose shape is nearest to an entry's, 0 in turns, (E, 9)"
+    literal: bool = False
+    "whether changes of segment are warped as appendix A is printed"
 
 
 def planes(shape: Float32s) -> Float32s:
@@ -48,7 +50,7 @@ def planes(shape: Float32s) -> Float32s:
     return padded
 
 
-def track(library: RepertoireLibrary) -> Track:
+def track(library: RepertoireLibrary, literal: bool = False) -> Track:
     """Return the library as kernels read it, with the places to enter its segments."""
     shape = planes(library.shape)
     match = np.zeros((len(shape), len(Pattern)), np.int32)
@@ -63,6 +65,7 @@ def track(library: RepertoireLibrary) -> Track:
         library.pattern,
         library.segment,
         match,
+        literal,
     )
 
 

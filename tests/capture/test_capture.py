@@ -22,6 +22,7 @@ from components.repertoire import (
 )
 from systems.motor.body_frame import body_frame
 from systems.motor.muscle_model import body_model
+from tools.capture.bend import largest_joint
 from tools.capture.capture import GEARS, capture, fingerprint
 from tools.capture.cut import beat_start
 from tools.capture.measure import measure_swim
@@ -76,7 +77,9 @@ def test_a_plain_processor_captures_the_same_bytes(
 def test_progress_runs_to_the_end_and_says_what_is_done(body: Body, swim: Swim) -> None:
     told: list[tuple[float, str]] = []
     capture(body, swim, lambda fraction, what: told.append((fraction, what)))
-    assert [what for _, what in told] == ["swim slow", "swim medium", "swim fast", "turn left"]
+    assert [what for _, what in told] == [
+        "swim slow", "swim medium", "swim fast", "turn left", "turn sharp left", "fast start left",
+    ]  # fmt: skip
     assert told[-1][0] == 1.0
     assert sorted(fraction for fraction, _ in told) == [fraction for fraction, _ in told]
 
@@ -155,6 +158,48 @@ def test_a_gradual_turn_goes_left_and_ends_in_the_cruising_shape(shipped: Repert
     assert np.abs(turn.shape[-1] - cruise.shape[-1]).max() < 0.01
     assert mean_speed(turn) > 0.85 * mean_speed(cruise)
     assert not turn.loops
+
+
+def test_a_sharp_turn_takes_60_degrees_in_a_second_or_so_and_ends_in_the_beat(
+    shipped: Repertoire,
+) -> None:
+    turn, cruise = shipped.segments[4], shipped.segments[Pattern.SWIM_MEDIUM]
+    assert turn.pattern is Pattern.TURN_SHARP_LEFT
+    assert not turn.loops
+    assert len(turn.rotation) <= 72
+    beats = [cruise] * 2
+    assert net_turn_deg([*beats, turn, *beats], shipped, len(turn.rotation)) > 60
+    away = np.abs(cruise.shape - turn.shape[-1]).max(axis=(1, 2))
+    assert away.min() < 0.01
+    assert largest_joint(played(turn, 1)[2][:, :, [0, 2, 1]]) < np.radians(66)
+
+
+def test_a_fast_start_takes_80_degrees_within_a_second_from_rest(shipped: Repertoire) -> None:
+    start, fast = shipped.segments[5], shipped.segments[Pattern.SWIM_FAST]
+    assert start.pattern is Pattern.FAST_START_LEFT
+    assert 40 <= len(start.rotation) <= 60
+    assert np.linalg.norm(start.translation[0]) < 0.004
+    origins, rotations, nodes = played(start, 1)
+    assert np.degrees(heading_change(start)) > 80
+    assert largest_joint(nodes[:, :, [0, 2, 1]]) < np.radians(70)
+    assert np.abs(fast.shape - start.shape[-1]).max(axis=(1, 2)).min() < 0.04
+    way = origins[-1] - origins[-7]
+    assert np.linalg.norm(way) * 10 > 0.9
+    assert way @ rotations[-1, :, 0] > 0.9 * np.linalg.norm(way)
+
+
+def net_turn_deg(segments: list[Segment], shipped: Repertoire, length: int) -> float:
+    """Return the turn from the mean heading of the first two beats to that of the last two [degrees], left positive."""
+    period = len(shipped.segments[Pattern.SWIM_MEDIUM].rotation)
+    rotation, ahead = np.eye(3), []
+    for segment in segments:
+        for m in segment.rotation:
+            rotation = rotation @ m
+            ahead.append(rotation[:, 0])
+    x = np.array(ahead)
+    before, after = x[: 2 * period].mean(axis=0), x[2 * period + length :].mean(axis=0)
+    cross = before[2] * after[0] - before[0] * after[2]
+    return float(np.degrees(np.arctan2(cross, before @ after)))
 
 
 def test_a_mirrored_turn_is_the_same_turn_to_the_right(shipped: Repertoire) -> None:

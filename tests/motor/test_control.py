@@ -10,13 +10,11 @@ from components.clock import Clock
 from components.fish import Population
 from components.repertoire import Pattern, RepertoireLibrary
 from components.terrain import Terrain
+from systems.motor.choose import MOOD_SPREAD, MOOD_TICKS, gaits
 from systems.motor.control import (
-    MOOD_SPREAD,
-    MOOD_TICKS,
     STEEPEST,
     YAW_RATE,
     Control,
-    Gaits,
     control_parallel,
     control_rows,
     half_tangent_angle,
@@ -68,15 +66,74 @@ def test_every_fish_turns_to_its_heading(
     assert _angle_deg(x[-60:], np.array(goals)).max() < 2.0
 
 
-@pytest.mark.parametrize(("yaw", "pattern"), [(80.0, 3), (-80.0, 4), (25.0, None), (-25.0, None)])
+@pytest.mark.parametrize(
+    ("yaw", "pattern"),
+    [
+        (50.0, Pattern.TURN_LEFT),
+        (-50.0, Pattern.TURN_RIGHT),
+        (90.0, Pattern.TURN_SHARP_LEFT),
+        (-90.0, Pattern.TURN_SHARP_RIGHT),
+        (25.0, None),
+        (-25.0, None),
+    ],
+)
 def test_a_turn_segment_serves_a_direction_far_to_the_side(
-    school: School, captured: RepertoireLibrary, sea: Terrain, yaw: float, pattern: int | None
+    school: School, captured: RepertoireLibrary, sea: Terrain, yaw: float, pattern: Pattern | None
 ) -> None:
     fish = school(1, captured)
     fish.motor.heading[0] = _towards(yaw)
     _, played, _ = _run(fish, captured, sea, 120)
     turns = set(played[played >= Pattern.TURN_LEFT].tolist())
     assert turns == (set() if pattern is None else {float(pattern)})
+
+
+@pytest.mark.parametrize("yaw", [100.0, -100.0, 150.0])
+def test_in_mortal_danger_a_fish_makes_a_fast_start(
+    school: School, captured: RepertoireLibrary, sea: Terrain, yaw: float
+) -> None:
+    fish = school(2, captured)
+    fish.fish.species[1] = 1
+    fish.motor.segment[1] = fish.motor.wanted[1] = captured.segment[1, Pattern.SWIM_MEDIUM]
+    fish.motor.frame[1] = 0
+    fish.motor.shape_row[1] = captured.start[fish.motor.segment[1]]
+    fish.motor.held[:2] = 60
+    fish.motor.gear[:2] = 2
+    fish.motor.urgency[:2] = 1.0
+    fish.motor.heading[:2] = _towards(yaw)
+    x, played, _ = _run(fish, captured, sea, 150)
+    side = Pattern.FAST_START_LEFT if yaw > 0 else Pattern.FAST_START_RIGHT
+    assert (played[0] == side).all()
+    assert (played[-1] == Pattern.SWIM_FAST).all()
+    assert _angle_deg(x[45:75], fish.motor.heading[:2]).max() < 70.0
+    assert _angle_deg(x[-20:], fish.motor.heading[:2]).max() < 3.0
+
+
+def test_in_danger_short_of_mortal_a_turn_is_sharp_but_no_fast_start(
+    school: School, captured: RepertoireLibrary, sea: Terrain
+) -> None:
+    fish = school(2, captured)
+    fish.motor.urgency[:2] = 0.7
+    fish.motor.held[:2] = 60
+    fish.motor.heading[:2] = (_towards(50.0), _towards(130.0))
+    _, played, _ = _run(fish, captured, sea, 100)
+    assert (played[0] == Pattern.TURN_SHARP_LEFT).all()
+    assert played.max() == Pattern.TURN_SHARP_LEFT
+
+
+def test_a_turn_whose_end_would_lead_past_the_direction_is_broken_off(
+    school: School, captured: RepertoireLibrary, sea: Terrain
+) -> None:
+    fish = school(1, captured)
+    fish.motor.heading[0] = _towards(100.0)
+    control, move = Control(fish, captured, Clock(7)), Move(fish, captured, sea, Clock(7))
+    fish.motor.held[0] = 60
+    for _ in range(8):
+        control()
+        move()
+    assert captured.pattern[fish.motor.segment[0]] == Pattern.TURN_SHARP_LEFT
+    fish.motor.heading[0] = _towards(-60.0)
+    control()
+    assert captured.pattern[fish.motor.wanted[0]] < Pattern.TURN_LEFT
 
 
 def test_danger_turns_a_fish_faster_than_leisure(
@@ -156,7 +213,7 @@ def test_a_fish_whose_aim_lies_behind_keeps_to_one_side(
 def test_a_species_without_turns_or_gears_swims_on(
     school: School, library: RepertoireLibrary, sea: Terrain
 ) -> None:
-    bare = np.full((1, 5), -1, np.int32)
+    bare = np.full((1, len(Pattern)), -1, np.int32)
     bare[0, 1] = library.segment[0, 1]
     poor = type(library)(**{**vars(library), "segment": bare})
     fish = school(3, poor)
@@ -172,7 +229,7 @@ def test_threads_and_rows_change_no_bit(school: School, captured: RepertoireLibr
     rng = np.random.default_rng(4)
     g = rng.normal(size=(200, 3))
     g /= np.linalg.norm(g, axis=1)[:, None]
-    gaits = Gaits(*(getattr(captured, name) for name in Gaits._fields))
+    gait = gaits(captured)
     results = []
     for threads, order in ((1, np.arange(200)), (2, np.arange(200)), (1, rng.permutation(200))):
         fish = school(200, captured)
@@ -183,9 +240,9 @@ def test_threads_and_rows_change_no_bit(school: School, captured: RepertoireLibr
         columns = swimmers(fish.fish, fish.motor)
         for tick in range(5):
             if threads == 1:
-                control_rows(0, 200, columns, gaits, 11, tick)
+                control_rows(0, 200, columns, gait, 11, tick)
             else:
-                control_parallel(200, columns, gaits, 11, tick)
+                control_parallel(200, columns, gait, 11, tick)
         back = np.argsort(fish.fish.id[:200])
         results.append((fish.motor.wanted[back].tobytes(), fish.motor.steer[back].tobytes()))
     assert results[0] == results[1] == results[2]
@@ -196,5 +253,7 @@ def test_angles_come_from_half_tangents() -> None:
     angles = np.linspace(-np.pi / 2, np.pi / 2, 181)
     found = [half_tangent_angle(float(np.sin(a)), float(np.cos(a))) for a in angles]
     assert np.abs(np.array(found) - angles).max() < 0.011
-    assert half_tangent_angle(0.1, -0.99) > 1.5
-    assert half_tangent_angle(-0.1, -0.99) < -1.5
+    behind = np.linspace(np.pi / 2, np.pi, 91)
+    found = [half_tangent_angle(float(np.sin(a)), float(np.cos(a))) for a in behind]
+    assert np.abs(np.array(found) - behind).max() < 0.011
+    assert half_tangent_angle(-0.1, -0.99) == pytest.approx(-np.pi + 0.1, abs=0.02)

@@ -1,8 +1,8 @@
 """Synthetic motion capture: a species' repertoire from its body and swim (papers/000, section 4; FINDINGS 1, 1b).
 
-Three beats, slow, medium and fast, and one gradual turn to the left out of medium cruise, at whose end the fish
-cruises again in the beat's phase. Right turns are mirrored as repertoires are packed. Everything that reaches the file
-is + - * / sqrt, so a capture writes the same bytes on every machine.
+Three beats, slow, medium and fast; a gradual and a sharp turn to the left out of medium cruise, at whose end the fish
+cruises again in the beat's phase; and a fast start from rest. Turns to the right are mirrored as repertoires are
+packed. Everything that reaches the file is + - * / sqrt, so a capture writes the same bytes on every machine.
 """
 
 import hashlib
@@ -18,20 +18,27 @@ import components.trigonometry
 import systems.motor.biomechanics
 import systems.motor.body_frame
 import systems.motor.contract
+import systems.motor.controllers
 import systems.motor.muscle_model
+import systems.motor.pectorals
+import tools.capture.bend
 import tools.capture.cut
+import tools.capture.escape
 import tools.capture.record
 import tools.capture.rotation
+import tools.capture.turns
 from components.body import Body, Swim
 from components.clock import TICKS_PER_SECOND
 from components.repertoire import Pattern, Repertoire, Segment
-from components.trigonometry import DEGREE
+from systems.motor import controllers
 from systems.motor.biomechanics import SUBSTEPS
-from systems.motor.contract import TURN_PULSE, TWO_PI, Stroke
+from systems.motor.contract import TWO_PI, Stroke
 from systems.motor.muscle_model import BodyModel, body_model
-from tools.capture.cut import beat_start, cut, shape_gap
-from tools.capture.measure import measure_swim, turn_faults, turn_text
+from tools.capture.cut import beat_start, cut
+from tools.capture.escape import fast_start
+from tools.capture.measure import measure_swim
 from tools.capture.record import Recording, record
+from tools.capture.turns import Found, gradual_turn, sharp_turn
 
 Progress = Callable[[float, str], None]
 """Told how far the work is, 0 to 1, and what is being done."""
@@ -43,29 +50,24 @@ GEARS: Final = {
 }
 """Amplitude and frequency of each gear, over the cruise's."""
 
-GRADUAL: Final = 0.15
-"""Scale of the pulses of a gradual turn."""
-
 SETTLE_FRAMES: Final = 16 * TICKS_PER_SECOND
 """How long a beat runs before it is cut."""
 
-TURN_GAP: Final = 0.01
-"""[BL] how near the cruising shape a turn must end."""
-
 _PHASE_RUNS: Final = 4
-_LONGEST_TURN: Final = 8
-"""Beats after which a turn is cut, however it looks."""
-
-_PULSE_SECONDS: Final = max(float(p[1:].sum()) for p in TURN_PULSE)
 _SOURCES: Final = (
     components.trigonometry,
     systems.motor.biomechanics,
     systems.motor.body_frame,
     systems.motor.contract,
+    systems.motor.controllers,
     systems.motor.muscle_model,
+    systems.motor.pectorals,
+    tools.capture.bend,
     tools.capture.cut,
+    tools.capture.escape,
     tools.capture.record,
     tools.capture.rotation,
+    tools.capture.turns,
 )
 
 
@@ -74,12 +76,11 @@ def capture(body: Body, swim: Swim, progress: Progress | None = None) -> Reperto
 
     The provenance holds the fingerprint, each segment's figures, and under "warnings" what is unlike a living fish.
     """
-    model = body_model(body, swim)
     segments: list[Segment] = []
     notes: dict[str, str] = {}
     warnings: list[str] = []
-    stages = len(GEARS) + 1
-    for stage, (segment, figures, faults) in enumerate(_segments(model, swim)):
+    stages = len(GEARS) + 3
+    for stage, (segment, figures, faults) in enumerate(_segments(body, swim)):
         name = segment.pattern.name.lower()
         segments.append(segment)
         notes[name] = figures
@@ -105,32 +106,21 @@ def fingerprint(body: Body, swim: Swim) -> str:
     return digest.hexdigest()
 
 
-def _segments(model: BodyModel, swim: Swim) -> Iterator[tuple[Segment, str, list[str]]]:
+def _segments(body: Body, swim: Swim) -> Iterator[Found]:
     """Yield each segment with its figures and faults."""
-    cruise = None
+    model = body_model(body, swim)
+    ready: dict[Pattern, tuple[Stroke, int, Segment]] = {}
     for pattern, (amplitude, pace) in GEARS.items():
-        stroke = _stroke(swim, amplitude, pace)
-        stroke, first, recording = _in_phase(model, stroke)
-        if pattern is Pattern.SWIM_MEDIUM:
-            cruise = stroke, first
+        stroke, first, recording = _in_phase(model, controllers.swim(swim, amplitude, pace))
         segment = cut(recording, pattern, first, stroke.period // SUBSTEPS, True)
+        ready[pattern] = stroke, first, segment
         figures = measure_swim(recording, segment, first)
         yield segment, figures.text(), figures.faults()
-    assert cruise is not None
-    segment, gap = _turn(model, *cruise)
-    yield segment, turn_text(segment, gap), turn_faults(segment, gap, TURN_GAP)
-
-
-def _stroke(swim: Swim, amplitude: float, pace: float) -> Stroke:
-    """Return the stroke of a gear whose beat lasts whole frames."""
-    frames = floor(TICKS_PER_SECOND / (swim.frequency_hz * pace) + 0.5)
-    return Stroke(
-        amplitude * swim.contraction_middle,
-        amplitude * swim.contraction_rear,
-        swim.lag_deg * DEGREE,
-        SUBSTEPS * max(frames, 4),
-        0.0,
-    )
+    cruise, first, _ = ready[Pattern.SWIM_MEDIUM]
+    yield gradual_turn(model, cruise, first)
+    yield sharp_turn(model, cruise, first)
+    fast, _, beat = ready[Pattern.SWIM_FAST]
+    yield fast_start(body_model(body, swim, "firm"), fast, beat)
 
 
 def _in_phase(model: BodyModel, stroke: Stroke) -> tuple[Stroke, int, Recording]:
@@ -144,15 +134,3 @@ def _in_phase(model: BodyModel, stroke: Stroke) -> tuple[Stroke, int, Recording]
         stroke = stroke._replace(offset=stroke.offset + (crossing - first) * TWO_PI / period)
     recording = record(model, stroke, frames)
     return stroke, floor(beat_start(recording, period) + 0.5), recording
-
-
-def _turn(model: BodyModel, stroke: Stroke, first: int) -> tuple[Segment, float]:
-    """Return a gradual left turn out of the cruise at frame `first`, and its end's distance from cruising [BL]."""
-    period = stroke.period // SUBSTEPS
-    turning = stroke._replace(turn=GRADUAL, turn_at=SUBSTEPS * (first + 1))
-    recording = record(model, turning, first + _LONGEST_TURN * period + 1)
-    beats = floor(_PULSE_SECONDS * TICKS_PER_SECOND / period) + 1
-    while beats < _LONGEST_TURN and shape_gap(recording, first, first + beats * period) > TURN_GAP:
-        beats += 1
-    gap = shape_gap(recording, first, first + beats * period)
-    return cut(recording, Pattern.TURN_LEFT, first, beats * period, False), gap

@@ -96,15 +96,13 @@ def beat_start(recording: Recording, period: int) -> float:
 
 def shape_gap(recording: Recording, one: int, other: int) -> float:
     """Return the largest coordinate by which the shapes of two frames differ in body axes [BL]."""
-    shapes = np.zeros((2, 1, *recording.nodes.shape[1:]))
-    for shape, frame in zip(shapes, (one, other), strict=True):
-        _entries(
-            recording.nodes,
-            recording.origin,
-            recording.rotation,
-            frame - 1,
-            np.zeros((1, 3, 3)),
-            np.zeros((1, 3)),
-            shape,
-        )
-    return float(np.abs(shapes[1] - shapes[0]).max())
+    return float(np.abs(body_shape(recording, one) - body_shape(recording, other)).max())
+
+
+def body_shape(recording: Recording, frame: int) -> Float64s:
+    """Return the nodes of a frame in body axes [BL], (23, 3)."""
+    shape = np.zeros(recording.nodes.shape[1:])
+    origin = recording.origin[frame]
+    for node, place in enumerate(recording.nodes[frame]):
+        _into_axes(recording.rotation[frame], origin, place, shape[node])
+    return shape

@@ -20,7 +20,7 @@ STROUHAL_RANGE: Final = (0.2, 0.45)
 SWEEP_RANGE: Final = (0.1, 0.24)
 """[BL], of the tail from side to side."""
 
-TURN_RANGE_DEG: Final = (20.0, 45.0)
+TURN_RANGE_DEG: Final = (10.0, 40.0)
 
 
 @dataclass(frozen=True)

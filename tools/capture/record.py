@@ -1,6 +1,7 @@
 """Runs the biomechanical fish through a stroke and writes down its nodes and body axes (papers/000, 4.1)."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,29 +25,50 @@ class Recording:
     "R, (F, 3, 3)"
 
 
+class State(NamedTuple):
+    """A fish between two frames."""
+
+    position: Float64s
+    "[BL] of the nodes, world axes, (23, 3)"
+    velocity: Float64s
+    "[BL/s], (23, 3)"
+
+    def copy(self) -> "State":
+        """Return a state that may be run on without changing this one."""
+        return State(self.position.copy(), self.velocity.copy())
+
+
+def at_rest(model: BodyModel) -> State:
+    """Return the straight body that does not move."""
+    return State(model.start.copy(), np.zeros_like(model.start))
+
+
 @serial
 def _run(
     model: BodyModel,
     stroke: Stroke,
-    position: Float64s,
+    begin: int,
+    state: State,
     work: Workspace,
     nodes: Float64s,
     origin: Float64s,
     rotation: Float64s,
 ) -> None:
-    velocity = np.zeros_like(position)
     for frame in range(len(nodes)):
-        advance(model, stroke, frame, position, velocity, work)
-        nodes[frame] = position
+        advance(model, stroke, begin + frame, state.position, state.velocity, work)
+        nodes[frame] = state.position
         body_frame(nodes[frame], origin[frame], rotation[frame])
 
 
-def record(model: BodyModel, stroke: Stroke, frames: int) -> Recording:
-    """Return the first `frames` frames of `stroke`, begun at rest; frame k follows SUBSTEPS (k + 1) substeps."""
-    position = model.start.copy()
-    made = Recording(
-        np.zeros((frames, *position.shape)), np.zeros((frames, 3)), np.zeros((frames, 3, 3))
-    )
-    work = workspace(model)
-    _run(model, stroke, position, work, made.nodes, made.origin, made.rotation)
+def record(
+    model: BodyModel, stroke: Stroke, frames: int, state: State | None = None, begin: int = 0
+) -> Recording:
+    """Return `frames` frames of `stroke` from frame `begin` on; frame k follows SUBSTEPS (k + 1) substeps.
+
+    It starts from `state`, which is left as it is after the last frame; without one, from rest.
+    """
+    nodes = np.zeros((frames, *model.start.shape))
+    made = Recording(nodes, np.zeros((frames, 3)), np.zeros((frames, 3, 3)))
+    state = at_rest(model) if state is None else state
+    _run(model, stroke, begin, state, workspace(model), made.nodes, made.origin, made.rotation)
     return made

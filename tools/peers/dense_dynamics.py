@@ -6,14 +6,14 @@ import numpy as np
 
 from components.arrays import Float64s, Int64s
 from systems.motor.biomechanics import (
-    SUBSTEP_SECONDS,
     SUBSTEPS,
     UNKNOWNS,
     Workspace,
     assemble,
+    drive,
     move_nodes,
 )
-from systems.motor.contract import Stroke, contract
+from systems.motor.contract import Stroke
 from systems.motor.muscle_model import BodyModel
 
 _ACROSS = np.subtract.outer(np.arange(UNKNOWNS), np.arange(UNKNOWNS))
@@ -36,6 +36,10 @@ def dense_substep(
 ) -> None:
     """Advance in place as `systems.motor.biomechanics.substep` does, by LU of the whole matrix."""
     assemble(model, position, velocity, work)
+    _finish(position, velocity, work)
+
+
+def _finish(position: Float64s, velocity: Float64s, work: Workspace) -> None:
     work.right[:] = np.linalg.solve(dense_matrix(work.band), work.right)
     move_nodes(position, velocity, work.right)
 
@@ -50,5 +54,5 @@ def dense_advance(
 ) -> None:
     """Advance one frame as `systems.motor.biomechanics.advance` does."""
     for step in range(SUBSTEPS * frame, SUBSTEPS * (frame + 1)):
-        contract(stroke, model.length, step, SUBSTEP_SECONDS, work.rest)
-        dense_substep(model, position, velocity, work)
+        drive(model, stroke, step, position, velocity, work)
+        _finish(position, velocity, work)
