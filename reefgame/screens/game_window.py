@@ -178,8 +178,9 @@ class GameWindow:
         self.top.released(name)
 
     def _stick(self, name: str, deflection: float) -> None:
-        self.top.stick(name, deflection)
-        self._settle()
+        if self.game.stack.open:
+            self.top.stick(name, deflection)
+            self._settle()
 
     def _settle(self) -> None:
         if self.game.stack.open:
@@ -192,16 +193,20 @@ class GameWindow:
 
     def on_key_press(self, symbol: int, _: int) -> bool:
         """Hear a key."""
-        self._pressed(key_name(symbol))
+        if self.game.stack.open:
+            self._pressed(key_name(symbol))
         return True
 
     def on_key_release(self, symbol: int, _: int) -> bool:
         """Hear that a key came up."""
-        self._released(key_name(symbol))
+        if self.game.stack.open:
+            self._released(key_name(symbol))
         return True
 
     def on_mouse_motion(self, x: float, y: float, dx: float, dy: float) -> bool:
         """Steer or point."""
+        if not self.game.stack.open:
+            return True
         if self._captured:
             self.top.moved(dx, dy)
         else:
@@ -216,14 +221,15 @@ class GameWindow:
 
     def on_mouse_press(self, x: float, y: float, button: int, _: int) -> bool:
         """Choose or photograph."""
-        if button == _LEFT_BUTTON:
+        if button == _LEFT_BUTTON and self.game.stack.open:
             self.top.clicked(*self._place(x, y))
             self._settle()
         return True
 
     def on_mouse_scroll(self, _x: float, _y: float, _across: float, up: float) -> bool:
         """Set the throttle."""
-        self.top.wheel(up)
+        if self.game.stack.open:
+            self.top.wheel(up)
         return True
 
     def on_resize(self, _width: int, _height: int) -> None:
@@ -237,7 +243,9 @@ class GameWindow:
             self._settle()
 
     def on_close(self) -> bool:
-        """Leave, closing the recording."""
+        """Leave, closing the recording; at once where the first picture is still being made."""
+        if not self.game.stack.open:
+            raise SystemExit(0)
         self.quit()
         return True
 

@@ -72,3 +72,10 @@ def player(window: Any, user_folders: Path) -> Iterator[Player]:
     game.stack.close()
     game.backdrop.delete()
     window.pop_handlers()
+
+
+@pytest.fixture
+def bare_view(window: Any) -> Iterator[GameWindow]:
+    """A window whose first screen is not open yet, as at launch."""
+    yield GameWindow(window, new_game(find_levels(str(EASY)), seed=1))
+    window.pop_handlers()

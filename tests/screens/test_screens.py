@@ -271,3 +271,22 @@ def test_a_replay_is_watched_to_its_end(player: Any) -> None:
     assert world.clock.now == replay.ticks == 30
     assert world.checksums() == expected
     assert player.view.picture().std() > 10
+
+
+def test_keys_and_clicks_before_the_first_picture_are_not_heard(bare_view: Any) -> None:
+    from pyglet.window import key
+
+    bare_view.announce("compiling ...")
+    for event, *values in (
+        ("on_key_press", key.ENTER, 0),
+        ("on_key_release", key.ENTER, 0),
+        ("on_mouse_press", 5, 5, 1, 0),
+        ("on_mouse_motion", 5, 5, 1, 1),
+        ("on_mouse_scroll", 5, 5, 0, 1),
+    ):
+        bare_view.window.dispatch_event(event, *values)
+        bare_view.window.dispatch_events()
+    assert not bare_view.game.stack.open
+    with pytest.raises(SystemExit) as stopped:
+        bare_view.on_close()
+    assert stopped.value.code == 0
