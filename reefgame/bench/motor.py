@@ -16,9 +16,9 @@ from reefgame.bench.step import crowded
 from reefgame.content import load_species, read_species
 from reefgame.content.anatomy import body_of, swim_of
 from systems.motor.biomechanics import advance, workspace
+from systems.motor.columns import bodies, motors
 from systems.motor.contract import Stroke
 from systems.motor.move import advance as play
-from systems.motor.move import bodies, motors
 from systems.motor.muscle_model import body_model
 from systems.motor.pose import reconstruct, replay
 from systems.motor.track import track

@@ -7,33 +7,25 @@ by a smoothstep: nobody stalls, and no node jumps. It serves fishes seen and uns
 the camera does changes nothing.
 """
 
-from math import floor, sqrt
-from typing import Final, Literal, NamedTuple
+from typing import Final, Literal
 
 import numba
 
-from components.arrays import Float64s, Int32s
+from components.arrays import Float64s
 from components.clock import TICK_SECONDS, Clock
-from components.fish import FishTable, Population
+from components.fish import Population
 from components.kernels import inlined, loop, row
-from components.motor import MotorTable
-from components.repertoire import Pattern, RepertoireLibrary
+from components.repertoire import RepertoireLibrary
 from components.rotation import set_axes, turned
 from components.terrain import Terrain, confine
-from systems.motor.track import Track, apart, track
+from systems.motor.columns import Bodies, Motors, bodies, motors
+from systems.motor.track import Track, track
+from systems.motor.warp import change, fade, wait
 
 PARALLEL_FROM: Final = 500
 """Fishes from which two threads are worth their launch."""
 
 CHUNKS: Final = 64
-
-WARP_STEP: Final = 0.03
-"""[BL] that the fading offset may move a node in a tick: appendix A's M_max."""
-
-SHORTEST_WARP: Final = 4
-"""[ticks]"""
-
-SMOOTHSTEP_SLOPE: Final = 1.5
 
 ROLL_MEMORY: Final = TICK_SECONDS / 0.4
 """Share of today's roll in the running mean: about a beat, so that the false roll of a beat, 6
@@ -62,101 +54,6 @@ WIDEST_MARGIN: Final = 0.9
 """[m]: shallow water must stay passable to giants."""
 
 
-class Bodies(NamedTuple):
-    """The columns of `FishTable` that move reads and writes."""
-
-    species: Int32s
-    length: Float64s
-    position: Float64s
-    rotation: Float64s
-    last_position: Float64s
-    last_rotation: Float64s
-
-
-class Motors(NamedTuple):
-    """The columns of `MotorTable` that move reads and writes."""
-
-    steer: Float64s
-    segment: Int32s
-    wanted: Int32s
-    throttle: Float64s
-    pace: Float64s
-    frame: Int32s
-    held: Int32s
-    shape_row: Int32s
-    last_shape_row: Int32s
-    warp_from: Int32s
-    warp_to: Int32s
-    warp_length: Int32s
-    warp_age: Int32s
-    warp_weight: Float64s
-    last_warp_weight: Float64s
-    mean_roll: Float64s
-    glide: Float64s
-
-
-def bodies(fish: FishTable) -> Bodies:
-    """Return the columns of `fish` that kernels move; stale when the table grows."""
-    return Bodies(*(getattr(fish, name) for name in Bodies._fields))
-
-
-def motors(motor: MotorTable) -> Motors:
-    """Return the columns of `motor` that kernels move; stale when the table grows."""
-    return Motors(*(getattr(motor, name) for name in Motors._fields))
-
-
-@row
-def _switch(i: int, motor: Motors, track: Track, wanted: int) -> None:
-    """Leave the segment being played for `wanted`: set up the warp that leads there."""
-    old = motor.shape_row[i]
-    frame = track.match[old, track.pattern[wanted]]
-    to = track.start[wanted] + frame
-    gap = sqrt(apart(track.shape[old], track.shape[to], False))
-    motor.warp_from[i] = old
-    motor.warp_to[i] = to
-    slope, shortest = (1.0, 1) if track.literal else (SMOOTHSTEP_SLOPE, SHORTEST_WARP)
-    motor.warp_length[i] = max(shortest, floor(gap * (slope / WARP_STEP)) + 1)
-    motor.warp_age[i] = 0
-    for k in range(3):
-        motor.glide[i, k] = track.translation[old, k] - track.translation[to, k]
-    motor.segment[i] = wanted
-    motor.frame[i] = (frame + track.loops[wanted]) % track.length[wanted]
-    motor.held[i] = 0
-
-
-@inlined
-def _choose(i: int, fish: Bodies, motor: Motors, track: Track) -> None:
-    """Change segment where control asks for it or a turn has ended, unless a warp is under way."""
-    segment, wanted = motor.segment[i], motor.wanted[i]
-    ended = motor.frame[i] >= track.length[segment]
-    if ended and wanted == segment:
-        wanted = track.segment[fish.species[i], Pattern.SWIM_MEDIUM.value]
-        motor.wanted[i] = wanted
-    if wanted >= 0 and wanted != segment and motor.warp_length[i] == 0:
-        _switch(i, motor, track, wanted)
-    elif ended:
-        motor.frame[i] = track.length[segment] - 1
-
-
-@inlined
-def _fade(i: int, motor: Motors) -> float:
-    """Return the weight of this tick's offset, 1 when the warp begins to 0 at its end."""
-    length = motor.warp_length[i]
-    if length == 0:
-        motor.warp_weight[i] = 0.0
-        return 0.0
-    age = motor.warp_age[i] + 1
-    motor.warp_age[i] = age
-    weight = 0.0
-    if age < length:
-        done = age / length
-        weight = 1.0 - done * done * (3.0 - 2.0 * done)
-    else:
-        motor.warp_length[i] = 0
-    motor.warp_weight[i] = weight
-    return weight
-
-
 @inlined
 def _pace(i: int, motor: Motors, loops: bool) -> float:
     """Bring the pace nearer to the throttle; a turn is played as it was captured. Return the pace."""
@@ -166,22 +63,6 @@ def _pace(i: int, motor: Motors, loops: bool) -> float:
         pace += max(-BRAKING, min(GAINING, wanted - pace))
         motor.pace[i] = pace
     return pace
-
-
-@row
-def _wait(i: int, fish: Bodies, motor: Motors) -> None:
-    """Glide as appendix A is printed: stay in place while the shape runs straight to the new segment's."""
-    age = motor.warp_age[i] + 1
-    motor.warp_age[i] = age
-    motor.warp_weight[i] = 1.0 - age / motor.warp_length[i]
-    if age == motor.warp_length[i]:
-        motor.warp_length[i] = 0
-        motor.warp_weight[i] = 0.0
-    motor.shape_row[i] = motor.warp_to[i]
-    for j in range(3):
-        fish.last_position[i, j] = fish.position[i, j]
-        for k in range(3):
-            fish.last_rotation[i, j, k] = fish.rotation[i, j, k]
 
 
 @inlined
@@ -255,14 +136,14 @@ def _step(i: int, fish: Bodies, motor: Motors, track: Track, literal: bool) -> N
     motor.last_shape_row[i] = motor.shape_row[i]
     motor.last_warp_weight[i] = motor.warp_weight[i]
     motor.held[i] += 1
-    _choose(i, fish, motor, track)
+    change(i, fish, motor, track)
     if literal and motor.warp_length[i] > 0:
-        _wait(i, fish, motor)
+        wait(i, fish, motor)
         return
     segment = motor.segment[i]
     frame = motor.frame[i]
     entry = track.start[segment] + frame
-    weight = _fade(i, motor)
+    weight = fade(i, motor)
     pace = _pace(i, motor, track.loops[segment] == 1)
     _play(i, track.translation[entry], track.rotation[entry], weight, pace, fish, motor)
     motor.shape_row[i] = entry

@@ -16,7 +16,7 @@ from components.fish import Population
 from components.kernels import inlined, row
 from components.repertoire import RepertoireLibrary
 from components.rotation import between
-from systems.motor.move import Bodies, Motors, bodies, motors
+from systems.motor.columns import Bodies, Motors, bodies, motors
 from systems.motor.track import PLANE, Track, planes
 
 

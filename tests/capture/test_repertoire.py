@@ -2,6 +2,7 @@
 
 import io
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from components.repertoire import (
     mean_speed,
     pack,
     save,
+    turn_left_over,
 )
 
 
@@ -226,3 +228,15 @@ def test_the_change_of_heading_is_the_angle_turned(shipped: Repertoire, angle: f
         np.zeros((8, 23, 3), np.float32),
     )
     assert heading_change(segment) == pytest.approx(angle, abs=1e-12)
+
+
+def test_what_is_left_of_a_turn_runs_from_its_whole_to_its_last_entry(shipped: Repertoire) -> None:
+    turn = shipped.segments[4]
+    left = np.zeros(len(turn.rotation))
+    turn_left_over(turn.rotation, left)
+    assert left[0] == heading_change(turn)
+    assert np.abs(np.diff(left)).max() < 0.15
+    last = turn.rotation[-1]
+    assert left[-1] == pytest.approx(np.arctan2(-last[2, 0], last[0, 0]), abs=1e-12)
+    middle = replace(turn, rotation=turn.rotation[30:])
+    assert left[30] == pytest.approx(heading_change(middle), abs=1e-12)

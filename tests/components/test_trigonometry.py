@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.trigonometry import DEGREE, cosine, sine
+from components.trigonometry import DEGREE, arc, cosine, sine
 
 
 @given(st.floats(-1e5, 1e5))
@@ -36,3 +36,10 @@ def test_no_step_shows_where_the_pieces_meet() -> None:
         below, above = np.nextafter(angle, -np.inf), np.nextafter(angle, np.inf)
         assert abs(sine(float(above)) - sine(float(below))) < 5e-15
         assert abs(cosine(float(above)) - cosine(float(below))) < 5e-15
+
+
+@given(st.floats(-3.1415, 3.1415), st.floats(1e-6, 1e6))
+def test_the_arc_of_a_direction_is_its_angle(angle: float, size: float) -> None:
+    assert abs(arc(size * math.cos(angle), size * math.sin(angle)) - angle) < 1e-14
+    assert arc(0.0, size) == math.pi / 2
+    assert math.isnan(arc(0.0, 0.0))

@@ -9,6 +9,7 @@ from systems.motor import controllers
 from systems.motor.contract import Stroke
 from systems.motor.muscle_model import LAWS, BodyModel, body_model
 from systems.motor.pectorals import FOLDED, press
+from tools.capture.bend import largest_joint
 from tools.capture.record import Recording, State, at_rest, record
 
 BODIES = {
@@ -178,3 +179,13 @@ def test_the_published_law_swims_at_twice_the_strouhal_number(body: Body, swim: 
     assert LAWS["published"].tolist()[1:] == [0.0, 1.0]
     with pytest.raises(KeyError):
         body_model(body, swim, law="none")
+
+
+def test_the_largest_joint_is_the_sharpest_bend_of_the_centre_line(model: BodyModel) -> None:
+    nodes = np.tile(model.start, (3, 1, 1))
+    assert largest_joint(nodes) == pytest.approx(0.0, abs=1e-12)
+    hinge = nodes[1, 17:21].mean(axis=0)
+    a = np.radians(50.0)
+    about = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
+    nodes[1, 21:] = (nodes[1, 21:] - hinge) @ about.T + hinge
+    assert np.degrees(largest_joint(nodes)) == pytest.approx(50.0, abs=1e-6)

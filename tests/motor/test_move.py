@@ -10,20 +10,18 @@ from components.clock import Clock
 from components.fish import Population
 from components.repertoire import Pattern, RepertoireLibrary
 from components.terrain import Terrain, ground_height
+from systems.motor.columns import bodies, motors
 from systems.motor.move import (
     BRAKING,
     MARGIN,
     PACES,
-    SHORTEST_WARP,
-    WARP_STEP,
     Move,
-    bodies,
-    motors,
     move_parallel,
     move_serial,
 )
 from systems.motor.pose import pose
 from systems.motor.track import track
+from systems.motor.warp import SHORTEST_WARP, WARP_STEP
 
 School = Callable[[int, RepertoireLibrary], Population]
 

@@ -10,7 +10,8 @@ from components.clock import Clock
 from components.fish import Population
 from components.repertoire import Pattern, RepertoireLibrary
 from components.terrain import Terrain
-from systems.motor.move import Move, bodies, motors
+from systems.motor.columns import bodies, motors
+from systems.motor.move import Move
 from systems.motor.pose import pose, reconstruct, replay
 from systems.motor.track import track
 
