@@ -18,10 +18,7 @@ A reader trusts nothing: names, types, shapes, sizes and ranges are checked befo
 import io
 import json
 import math
-import os
-import sys
 import zipfile
-from contextlib import suppress
 from pathlib import Path
 from typing import Any, Final
 
@@ -30,6 +27,7 @@ import numpy as np
 from components.arrays import AnyArray
 from components.body import NODES
 from components.segment import REQUIRED, Pattern, Repertoire, Segment
+from components.whole_file import write_whole
 
 VERSION: Final = 1
 SIZE_LIMIT: Final = 16 << 20
@@ -55,30 +53,7 @@ class RepertoireError(Exception):
 
 def save(path: Path, repertoire: Repertoire) -> None:
     """Write `repertoire` to `path`, whole or not at all. Raise OSError where the folder cannot be written."""
-    content = _bytes(repertoire)
-    fresh = path.with_name(f".{path.name}.{os.getpid()}.new")
-    try:
-        with fresh.open("wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        fresh.replace(path)
-    except OSError:
-        with suppress(OSError):
-            fresh.unlink()
-        raise
-    _settle(path.parent)
-
-
-def _settle(folder: Path) -> None:
-    """Make a rename last over a power cut, where the system lets folders be opened."""
-    if sys.platform == "win32":
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
+    write_whole(path, _bytes(repertoire))
 
 
 def load(path: Path) -> Repertoire:

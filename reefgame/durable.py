@@ -4,13 +4,14 @@ A file is replaced whole or not at all, and by one writer at a time.
 """
 
 import json
-import os
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Final
+
+from components.whole_file import write_whole
 
 if sys.platform == "win32":
     import msvcrt
@@ -39,29 +40,7 @@ def write(path: Path, text: str) -> None:
     killed game leaves at most one.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    fresh = path.with_name(f".{path.name}.new")
-    try:
-        with fresh.open("w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        fresh.replace(path)
-    except OSError:
-        with suppress(OSError):
-            fresh.unlink()
-        raise
-    _settle_folder(path.parent)
-
-
-def _settle_folder(folder: Path) -> None:
-    """Make a rename in `folder` last over a power cut, where the system lets folders be opened."""
-    if sys.platform == "win32":
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
+    write_whole(path, text.encode())
 
 
 @contextmanager

@@ -4,9 +4,7 @@ A headless window cannot be resized (FINDINGS 8), so pictures are never drawn in
 written whole or not at all: into a temporary file beside it, then renamed.
 """
 
-import os
 import struct
-import tempfile
 import zlib
 from ctypes import byref, c_int, c_uint
 from pathlib import Path
@@ -16,6 +14,7 @@ from typing import Final, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from components.whole_file import write_whole
 from systems.view.context import ensure_context
 
 UInt8s: TypeAlias = NDArray[np.uint8]
@@ -223,16 +222,7 @@ def decode_png(data: bytes) -> UInt8s:
 
 def write_png(path: Path, picture: UInt8s) -> None:
     """Write `picture` as a PNG, whole or not at all. Raise OSError where it cannot be written."""
-    data = encode_png(picture)
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}-", dir=path.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        Path(name).chmod(0o644)
-        Path(name).replace(path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
+    write_whole(path, encode_png(picture))
 
 
 def _chunk(kind: bytes, data: bytes) -> bytes:
