@@ -6,6 +6,8 @@ the cache was deleted, kernels are compiled where they are first called: that co
 """
 
 import hashlib
+import os
+import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -14,12 +16,15 @@ from typing import Any, Final
 
 import llvmlite.binding
 import numba
+import numpy as np
 from numba.core import event
 
+from components.camera import camera_at
 from components.kernels import CACHED, sources_hash
 from reefgame.console import Report, progress_bar
 from reefgame.content import load
 from reefgame.world import World
+from systems.view.cull import Culling, view_of
 
 DOING: Final = "compiling kernels (first launch only)"
 _KERNELS: Final = 114
@@ -54,6 +59,34 @@ def stamp() -> Path:
     return Path(numba.config.CACHE_DIR) / f"{digest}.compiled"
 
 
+def compile_backwards() -> None:
+    """Compile from the last system of the tick to the first, and before that what a frame needs.
+
+    A second process does this while the first compiles forwards: what one has put into the cache the other reads, so
+    they meet about half-way.
+    """
+    world = World.build(load(_LEVEL))
+    ship, people = world.submarine, world.population
+    camera = camera_at(ship.position[0], float(ship.yaw[0]), 0.0)
+    view = view_of(camera, 360.0, 16.0 / 9.0, world.level.water.visibility_m)
+    Culling(np.zeros(len(world.species)))(people, view, 0.5, 0.0)
+    for system in reversed(world.systems):
+        system()
+
+
+def _second_process() -> "subprocess.Popen[bytes] | None":
+    """Start the other half of the work where it can help; whatever becomes of it costs time, no more."""
+    if not CACHED or (os.cpu_count() or 1) < 2:
+        return None
+    program = "from reefgame.warmup import compile_backwards; compile_backwards()"
+    quiet = subprocess.DEVNULL
+    with suppress(OSError):
+        return subprocess.Popen(
+            [sys.executable, "-c", program], stdin=quiet, stdout=quiet, stderr=quiet
+        )
+    return None
+
+
 @contextmanager
 def counting_kernels(report: Report, expected: int) -> Iterator[None]:
     """Tell `report` of every kernel that is compiled while the block runs, as a part of `expected`."""
@@ -84,11 +117,14 @@ class _Counter(event.Listener):  # type: ignore[misc]  # numba is untyped
 
 def _compile_all(report: Report) -> None:
     report(0.0, DOING)
+    beside = _second_process()
     with counting_kernels(report, _KERNELS):
         world = World.build(load(_LEVEL))
         world.tick()
         world.checksums()
         world.restore(world.snapshot())
+    if beside is not None:
+        beside.wait()
     report(1.0, DOING)
     if CACHED:
         with suppress(OSError):

@@ -12,6 +12,8 @@ from typing import Final
 from reefgame.bench.case import Case
 
 _FIRST_FRAME: Final = """
+from reefgame.warmup import warm_up
+warm_up(lambda done, what: None)
 from reefgame.content import load
 from reefgame.filming import draw
 from reefgame.scene import Scene
