@@ -26,6 +26,7 @@ import numpy as np
 
 from components.arrays import AnyArray
 from components.body import NODES
+from components.fault import FaultError
 from components.segment import REQUIRED, Pattern, Repertoire, Segment
 from components.whole_file import write_whole
 
@@ -47,7 +48,7 @@ _REACH: Final = 3.0
 """[BL] farther than any node of a body lies from its origin."""
 
 
-class RepertoireError(Exception):
+class RepertoireError(FaultError):
     """A repertoire file cannot be used: one line that names the file and what is wrong."""
 
 

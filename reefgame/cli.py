@@ -10,6 +10,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from components.fault import FaultError
 from reefgame import VERSION
 from reefgame.console import InputError, complain, open_streams, progress_bar, say
 
@@ -36,9 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise
         complain(f"{error.filename}: {error.strerror}")
         return 1
-    except Exception as error:
-        if not _input_at_fault(error):
-            raise
+    except FaultError as error:
         complain(str(error))
         return 1
     return status
@@ -53,20 +52,6 @@ def _joined(arguments: Sequence[str]) -> list[str]:
         else:
             joined.append(argument)
     return joined
-
-
-def _input_at_fault(error: Exception) -> bool:
-    from components.repertoire import RepertoireError
-    from reefgame.content.errors import ContentError
-    from reefgame.film import NoFilmError
-
-    if isinstance(error, InputError | ContentError | RepertoireError | NoFilmError):
-        return True
-    view = sys.modules.get("systems.view.context"), sys.modules.get("systems.view.target")
-    kinds = [
-        getattr(m, n, None) for m, n in zip(view, ("NoOpenGLError", "TargetError"), strict=True)
-    ]
-    return isinstance(error, tuple(kind for kind in kinds if kind is not None))
 
 
 def _parser() -> argparse.ArgumentParser:

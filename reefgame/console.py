@@ -10,11 +10,13 @@ from typing import TextIO, TypeAlias
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
+from components.fault import FaultError
+
 Report: TypeAlias = Callable[[float, str], None]
 """Called with the fraction done, 0 to 1, and what is being done."""
 
 
-class InputError(Exception):
+class InputError(FaultError):
     """What the user gave is at fault; the message is one line, the exit status 1."""
 
 

@@ -15,11 +15,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from components.fault import FaultError
+
 FRAMES_PER_SECOND: Final = 30
 _QUEUE: Final = 8
 
 
-class NoFilmError(RuntimeError):
+class NoFilmError(FaultError):
     """The film cannot be written; the message is one line that says why."""
 
 

@@ -4,6 +4,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
+from components.fault import FaultError
+
 
 @dataclass(frozen=True, order=True)
 class Problem:
@@ -20,7 +22,7 @@ class Problem:
         return f"{printable(place)}: {self.message}"
 
 
-class ContentError(Exception):
+class ContentError(FaultError):
     """Content is at fault: holds every problem found, its text is one line each."""
 
     def __init__(self, problems: Iterable[Problem]) -> None:

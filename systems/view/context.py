@@ -12,6 +12,8 @@ from typing import Any, Final
 
 import pyglet
 
+from components.fault import FaultError
+
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 PACKAGES: Final = "libegl1 libegl-mesa0 libgl1 libglx-mesa0 libgl1-mesa-dri"
@@ -20,7 +22,7 @@ PACKAGES: Final = "libegl1 libegl-mesa0 libgl1 libglx-mesa0 libgl1-mesa-dri"
 _kept: list[Any] = []
 
 
-class NoOpenGLError(RuntimeError):
+class NoOpenGLError(FaultError):
     """This machine cannot give an OpenGL 3.3 context; the message is one line that says why."""
 
 

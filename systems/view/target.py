@@ -14,6 +14,7 @@ from typing import Final, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from components.fault import FaultError
 from components.whole_file import write_whole
 from systems.view.context import ensure_context
 
@@ -26,7 +27,7 @@ MOST_SMOOTHED: Final = 1 << 23
 """Pixels of the largest picture that holds several samples a pixel."""
 
 
-class TargetError(ValueError):
+class TargetError(FaultError):
     """A picture of this size cannot be drawn here, or a file is no PNG of ours."""
 
 
