@@ -10,7 +10,7 @@ from typing import Final
 
 from components.arrays import Float64s
 from components.ground import Terrain, ground_height, rock_square, to_rock
-from components.kernels import row
+from components.kernels import inlined, row
 
 _ROUNDS: Final = 12
 _LEVEL_FROM: Final = 3
@@ -72,7 +72,12 @@ def _out_of_rocks(terrain: Terrain, p: Float64s, margin: float, level: bool) -> 
     moved = False
     square = rock_square(terrain, p[0], p[1])
     for k in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
-        if _out_of_rock(terrain, terrain.rock_list[k], p, margin, level):
+        rock = terrain.rock_list[k]
+        centre, radii = terrain.rock_centre[rock], terrain.rock_radii[rock]
+        x, y, z = p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]
+        reach = max(radii[0], max(radii[1], radii[2])) + margin
+        # Most rocks of a square are far: their bounding sphere tells without a division.
+        if x * x + y * y + z * z <= reach * reach and _out_of_rock(terrain, rock, p, margin, level):
             moved = True
     return moved
 
@@ -111,6 +116,15 @@ def _to_free_column(terrain: Terrain, p: Float64s, margin: float) -> None:
                     return
 
 
+@inlined
+def _in_open_water(terrain: Terrain, x: float, y: float, z: float, margin: float) -> bool:
+    """Say at a glance that a point stands free; False where a closer look is needed, and for no number."""
+    limit = terrain.radius - margin
+    if not (x * x + y * y < limit * limit and z < -margin and limit > 0.0):
+        return False
+    return bool(z > terrain.roof[rock_square(terrain, x, y)] + margin)
+
+
 @row
 def confine(terrain: Terrain, position: Float64s, row: int, margin: float) -> bool:
     """Move position[row] [m], of (n, 3), out of ground, rock, surface and rim; return if it moved.
@@ -120,6 +134,8 @@ def confine(terrain: Terrain, position: Float64s, row: int, margin: float) -> bo
     water between the highest ground and the surface: below 1 m.
     """
     p = position[row]
+    if _in_open_water(terrain, p[0], p[1], p[2], margin):
+        return False
     if not (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < _FARTHEST):
         p[0] = p[1] = p[2] = 0.0
     moved = False

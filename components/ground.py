@@ -46,6 +46,8 @@ class Terrain(NamedTuple):
     "where the list of square i rock_squares + j begins, (rock_squares^2 + 1,)"
     rock_list: Int32s
     "rocks within `ROCK_REACH` of each square, square by square"
+    roof: Float64s
+    "[m] z above which a square holds neither ground nor rock, rocks in its reach included, (rock_squares^2,)"
 
     def with_rocks(self, rocks: Sequence[Rock]) -> "Terrain":
         """Return this world with these rocks and no others. Raise ValueError for a radius <= 0."""
@@ -58,7 +60,26 @@ class Terrain(NamedTuple):
             rock_squares=side,
             rock_first=first,
             rock_list=listed,
+            roof=self._roof(side, centre[:, 2] + radii[:, 2], first, listed),
         )
+
+    def _roof(self, side: int, tops: Float64s, first: Int32s, listed: Int32s) -> Float64s:
+        """Return the highest ground or rock of each square, (side^2,), a cell beyond its border included."""
+        roof = np.empty(side * side)
+        last = len(self.height) - 1
+        for i in range(side):
+            for j in range(side):
+                # Squares at the border also serve what lies beyond the grid.
+                a, b, c, d = (
+                    int(np.clip(edge, 0, last))
+                    for edge in (
+                        i * SQUARE // self.cell - 1, (i + 1) * SQUARE // self.cell + 3,
+                        j * SQUARE // self.cell - 1, (j + 1) * SQUARE // self.cell + 3,
+                    )
+                )  # fmt: skip
+                rocks = tops[listed[first[i * side + j] : first[i * side + j + 1]]]
+                roof[i * side + j] = max(self.height[a:b, c:d].max(), *rocks, -self.depth)
+        return roof
 
     def with_homes(self, homes: Sequence[tuple[tuple[float, ...], int]]) -> "Terrain":
         """Return this world with these home points: ((x, y) or (x, y, z) [m], species row) each.

@@ -81,6 +81,7 @@ def build_terrain(
         rock_squares=1,
         rock_first=np.zeros(2, np.int32),
         rock_list=indices,
+        roof=np.zeros(1),
     )
     return bare.with_rocks(rocks).with_homes(list(zip(homes, home_species, strict=True)))
 
