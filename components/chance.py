@@ -18,7 +18,6 @@ SIZE: Final = 3
 HEADING: Final = 4
 SEGMENT: Final = 5
 NOISE: Final = 6
-SCATTER: Final = 7
 PLACE_IN_SCHOOL: Final = 8
 
 

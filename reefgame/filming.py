@@ -1,10 +1,11 @@
 """Films a replay through the submarine's eye, into an mp4 and the picture of its best moment."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from components.camera import Camera, camera_at
+from components.camera import Camera
 from components.clock import TICKS_PER_SECOND
 from components.command import Command
 from reefgame.console import Report, progress_bar, say
@@ -13,6 +14,7 @@ from reefgame.output import replacing
 from reefgame.replay import Replay
 from reefgame.scene import Scene
 from reefgame.world import World
+from systems.play.judge import viewfinder
 from systems.view.target import Target, UInt8s, write_png
 
 COCKPIT_SLOPE: Final = 0.4663
@@ -55,11 +57,7 @@ def film(
 
 def cockpit(world: World, alpha: float = 1.0) -> Camera:
     """Return the submarine's camera, `alpha` of the way from the last tick to this."""
-    ship = world.submarine
-    eye = ship.last_position[0] + alpha * (ship.position[0] - ship.last_position[0])
-    yaw = ship.last_yaw[0] + alpha * (ship.yaw[0] - ship.last_yaw[0])
-    pitch = ship.last_pitch[0] + alpha * (ship.pitch[0] - ship.last_pitch[0])
-    return camera_at(eye, float(yaw), float(pitch), COCKPIT_SLOPE)
+    return replace(viewfinder(world.submarine, alpha), slope=COCKPIT_SLOPE)
 
 
 def draw(scene: Scene, target: Target, world: World) -> UInt8s:

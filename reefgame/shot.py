@@ -1,7 +1,6 @@
 """Pictures taken without a window: `reefgame shot` and whoever wants one of a world."""
 
 import argparse
-from pathlib import Path
 
 import numpy as np
 
@@ -24,17 +23,6 @@ from systems.view.draw_fish import DrawFish
 from systems.view.draw_water import DrawWater
 from systems.view.frame import FrameBlock, Look
 from systems.view.target import Target, UInt8s, start_drawing, stop_drawing, write_png
-
-
-def take_picture(
-    world: World, camera: Camera, width: int, height: int, seconds: float, path: Path
-) -> None:
-    """Write what `camera` sees of `world` as a PNG of width x height [px], whole or not at all.
-
-    Water and motes stand as they do after `seconds`. Raise NoOpenGLError, TargetError for a size
-    that cannot be drawn here, OSError where the file cannot be written.
-    """
-    write_png(path, picture(world, camera, width, height, seconds))
 
 
 def picture(

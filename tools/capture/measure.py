@@ -1,7 +1,6 @@
 """What a captured motion amounts to, held against real fishes (FINDINGS 3): speed, sweep, Strouhal, wave, turn."""
 
 from dataclasses import dataclass
-from math import sqrt
 from typing import Final
 
 import numpy as np
@@ -111,15 +110,3 @@ def turn_faults(segment: Segment, gap: float, limit: float) -> list[str]:
     if not gap <= limit:
         found.append(f"ends {gap:.3f} BL from the cruising shape")
     return found
-
-
-def straightness(segment: Segment) -> float:
-    """Return the angle [rad, small] between the course of a cycle and the mean of its headings."""
-    heading, place = np.zeros(3), np.zeros(3)
-    rotation = np.eye(3)
-    for turn, travel in zip(segment.rotation, segment.translation, strict=True):
-        heading += rotation[:, 0]
-        place += rotation @ travel
-        rotation = rotation @ turn
-    cross = np.cross(heading, place)
-    return sqrt(float(cross @ cross) / float((heading @ heading) * (place @ place)))

@@ -9,7 +9,6 @@ from systems.motor.biomechanics import (
     SUBSTEPS,
     UNKNOWNS,
     Workspace,
-    assemble,
     drive,
     move_nodes,
 )
@@ -29,14 +28,6 @@ def dense_matrix(band: Float64s) -> Float64s:
     matrix[rows, columns] = values
     matrix[columns, rows] = values
     return matrix
-
-
-def dense_substep(
-    model: BodyModel, position: Float64s, velocity: Float64s, work: Workspace
-) -> None:
-    """Advance in place as `systems.motor.biomechanics.substep` does, by LU of the whole matrix."""
-    assemble(model, position, velocity, work)
-    _finish(position, velocity, work)
 
 
 def _finish(position: Float64s, velocity: Float64s, work: Workspace) -> None:
