@@ -4,13 +4,17 @@ It repeats in columns what `Species` says, and what the library knows of speeds.
 """
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from components.arrays import Float64s, Int8s
+from components.clock import TICKS_PER_SECOND
 from components.repertoire import RepertoireLibrary
 from components.species import Species
+
+MOUTH: Final = 0.35
+"""[BL] from the nose at which a wide open mouth sucks in what it eats."""
 
 
 class SenseTable(NamedTuple):
@@ -34,11 +38,40 @@ class SenseTable(NamedTuple):
     "farthest that the body reaches from its axis [BL], (S,)"
     speed: Float64s
     "mean speed in slow, medium and fast gear [BL/s], (S, 3)"
+    eats: Int8s
+    "1 where the species of the row eats that of the column, (S, S)"
+    hunted: Int8s
+    "1 where some species of the level eats it, (S,)"
+    grazes: Int8s
+    "1 where it eats food in the water, (S,)"
+    meal: Float64s
+    "[g] of an average meal, (S,)"
+    appetite: Float64s
+    "a: meals that fill it, (S,)"
+    digestion: Float64s
+    "[ticks] until a full stomach is empty, 1 / p0, (S,)"
+    breeding: Float64s
+    "[ticks] from mating until libido is full, 1 / p1, (S,)"
+    wariness: Float64s
+    "[m] D0, for a predator of one metre, (S,)"
+    curiosity: Float64s
+    "chance that a pacifist comes to look, (S,)"
+    bright: Int8s
+    "1 likes light, -1 the dark, 0 does not mind, (S,)"
+    warm: Int8s
+    "1 likes warmth, -1 the cold, 0 does not mind, (S,)"
+    mouth: Float64s
+    "[BL] farthest from the nose at which a wide open mouth sucks in, (S,)"
 
 
 def _girth(species: Species) -> float:
     body = species.body
     return max(*body.half_width, *body.half_height, body.tail_span)
+
+
+def _eats(species: Sequence[Species]) -> Int8s:
+    names = [kind.name for kind in species]
+    return np.array([[name in kind.temper.diet for name in names] for kind in species], np.int8)
 
 
 def sense_table(species: Sequence[Species], library: RepertoireLibrary) -> SenseTable:
@@ -58,4 +91,16 @@ def sense_table(species: Sequence[Species], library: RepertoireLibrary) -> Sense
         deep=np.array([-kind.depth[1] for kind in species], np.float64),
         girth=np.array([_girth(kind) for kind in species], np.float64),
         speed=speed,
+        eats=_eats(species),
+        hunted=np.max(_eats(species), axis=0, initial=0),
+        grazes=np.array([kind.temper.grazes for kind in species], np.int8),
+        meal=np.array([kind.temper.meal for kind in species], np.float64),
+        appetite=np.array([kind.temper.appetite for kind in species], np.float64),
+        digestion=TICKS_PER_SECOND * np.array([kind.temper.digestion for kind in species]),
+        breeding=TICKS_PER_SECOND * np.array([kind.temper.breeding for kind in species]),
+        wariness=np.array([kind.temper.wariness for kind in species], np.float64),
+        curiosity=np.array([kind.temper.curiosity for kind in species], np.float64),
+        bright=np.array([kind.temper.bright for kind in species], np.int8),
+        warm=np.array([kind.temper.warm for kind in species], np.int8),
+        mouth=np.array([MOUTH for _ in species], np.float64),
     )

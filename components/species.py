@@ -12,6 +12,32 @@ from components.skin import Skin
 
 
 @dataclass(frozen=True)
+class Temper:
+    """How the species feels and decides (papers/004; FINDINGS 2). All are content, not state."""
+
+    diet: tuple[str, ...] = ()
+    "names of the species that it eats"
+    grazes: bool = True
+    "whether it eats food that drifts in the water"
+    meal: float = 1.0
+    "[g] of an average meal"
+    appetite: float = 4.0
+    "a: meals that fill it"
+    digestion: float = 1500.0
+    "[s] until a full stomach is empty, 1 / p0"
+    breeding: float = 400.0
+    "[s] from mating until libido is full again, 1 / p1"
+    wariness: float = 1.5
+    "[m] D0: a predator of one metre this near is all that it can fear; 2.5 times as much in a coward"
+    curiosity: float = 0.3
+    "chance, 0 to 1, that a pacifist comes to look at what is new"
+    bright: int = 0
+    "1 where it likes light, -1 where it likes the dark, 0 where it does not mind"
+    warm: int = 0
+    "1 where it likes warmth, -1 where it likes the cold, 0 where it does not mind"
+
+
+@dataclass(frozen=True)
 class Species:
     """One species, as content gives it."""
 
@@ -34,3 +60,4 @@ class Species:
     swim: Swim
     skin: Skin
     repertoire: Repertoire
+    temper: Temper = Temper()

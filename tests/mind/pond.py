@@ -34,6 +34,18 @@ def make_senses() -> SenseTable:
         deep=np.array([-9.0, -13.0]),
         girth=np.array([0.11, 0.19]),
         speed=np.array([[1.0, 2.1, 3.0], [0.8, 1.5, 2.1]]),
+        eats=np.zeros((2, 2), np.int8),
+        hunted=np.zeros(2, np.int8),
+        grazes=np.ones(2, np.int8),
+        meal=np.ones(2),
+        appetite=np.full(2, 4.0),
+        digestion=np.full(2, 90_000.0),
+        breeding=np.full(2, 24_000.0),
+        wariness=np.full(2, 1.5),
+        curiosity=np.full(2, 0.3),
+        bright=np.zeros(2, np.int8),
+        warm=np.zeros(2, np.int8),
+        mouth=np.full(2, 0.35),
     )
 
 

@@ -20,7 +20,7 @@ from components.terrain import clearance
 from systems.mind.intend import AVOID_TICKS, CALM_TICKS, intend
 from systems.motor.bound import Swimmers
 
-WANDER, OBSTACLE, AVOID, SCHOOL = (int(kind) for kind in Intention)
+WANDER, OBSTACLE, AVOID, SCHOOL = (int(kind) for kind in list(Intention)[:4])
 
 
 def polarisation(axes: Float64s) -> float:
