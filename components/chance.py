@@ -19,6 +19,12 @@ HEADING: Final = 4
 SEGMENT: Final = 5
 NOISE: Final = 6
 PLACE_IN_SCHOOL: Final = 8
+PANIC: Final = 11
+CURIOSITY: Final = 12
+FOOD_PLACE: Final = 9
+EATEN: Final = 10
+MATED: Final = 11
+RESTOCK: Final = 12
 
 
 @row

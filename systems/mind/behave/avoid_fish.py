@@ -9,11 +9,34 @@ from systems.mind.grid import Crowd
 from systems.mind.perceive import HORIZON
 
 _SWERVE: Final = 1.2
+_FOLLOWING: Final = 0.5
+_CREEP: Final = 0.3
 
 
 @row
-def avoid_fish(crowd: Crowd, me: int, other: int, when: float, out: Float64s) -> tuple[int, float]:
-    """Write the wanted direction, (3,); return gear and urgency. They meet in `when` seconds.
+def _following(crowd: Crowd, me: int, other: int) -> float:
+    """Return the throttle: a fish that comes up behind another slows to its speed."""
+    alike = (
+        crowd.hx[me] * crowd.hx[other]
+        + crowd.hy[me] * crowd.hy[other]
+        + crowd.hz[me] * crowd.hz[other]
+    )
+    ahead = (
+        (crowd.x[other] - crowd.x[me]) * crowd.hx[me]
+        + (crowd.y[other] - crowd.y[me]) * crowd.hy[me]
+        + (crowd.z[other] - crowd.z[me]) * crowd.hz[me]
+    )
+    if alike < _FOLLOWING or ahead <= 0.0:
+        return 1.0
+    share: float = crowd.speed[other] / (crowd.speed[me] + 1e-9)
+    return max(_CREEP, min(1.0, share))
+
+
+@row
+def avoid_fish(
+    crowd: Crowd, me: int, other: int, when: float, out: Float64s
+) -> tuple[int, float, float]:
+    """Write the wanted direction, (3,); return gear, urgency, throttle. They meet in `when` seconds.
 
     A fish swerves from where the other will be; a dead heat is settled by the ids.
     """
@@ -28,13 +51,15 @@ def avoid_fish(crowd: Crowd, me: int, other: int, when: float, out: Float64s) ->
     out[1] = crowd.hy[me] + swerve * y
     out[2] = crowd.hz[me] + swerve * z
     soon = 1.0 - when / HORIZON
-    return (2 if soon > 0.6 else 1), 0.3 + 0.6 * soon
+    throttle = _following(crowd, me, other)
+    gear = 2 if soon > 0.6 and throttle == 1.0 else 1
+    return gear, 0.3 + 0.55 * soon, throttle
 
 
 @row
 def avoid_submarine(
     crowd: Crowd, me: int, away: Float64s, when: float, out: Float64s
-) -> tuple[int, float]:
+) -> tuple[int, float, float]:
     """Write the wanted direction away from the submarine at the offset `away` [m], (3,)."""
     far = sqrt(away[0] * away[0] + away[1] * away[1] + away[2] * away[2]) + 1e-9
     soon = 1.0 - when / HORIZON
@@ -42,4 +67,4 @@ def avoid_submarine(
     out[0] = 0.7 * crowd.hx[me] + push * away[0]
     out[1] = 0.7 * crowd.hy[me] + push * away[1]
     out[2] = 0.7 * crowd.hz[me] + 0.5 * push * away[2]
-    return (2 if soon > 0.4 else 1), 0.3 + 0.5 * soon
+    return (2 if soon > 0.4 else 1), 0.3 + 0.5 * soon, 1.0

@@ -3,6 +3,10 @@
 Papers/004 after Reynolds 1987: separation, alignment, cohesion over the nearest neighbours. A school also has
 somewhere to go: its cohort roams from place to place, each for a minute, so that it tours the
 reef. Who falls behind shifts up a gear, who runs ahead shifts down.
+
+A school splits round a predator that comes through (the fountain of Pitcher and Parrish 1993): each fish swims to its
+own side of the predator's path, then back along it, and joins the others behind its tail. Round an obstacle it splits
+in the same way, by what each fish's antenna feels. Afraid, fishes close ranks.
 """
 
 from math import sqrt
@@ -36,6 +40,14 @@ _LENGTHEN: Final = 1.5
 """Half the length of a school over spacing and the fourth root of its number."""
 _FLATTEN: Final = 0.8
 """How much less fishes shun each other above and below than beside."""
+_CLOSE_RANKS: Final = 0.3
+_SPLIT: Final = 3.0
+_BACK: Final = 0.9
+_FLAT: Final = 0.6
+_BERTH: Final = 1.5
+_BERTH_ROOM: Final = 0.8
+_STANDING: Final = 0.1
+_PART: Final = 1.2
 
 
 @row
@@ -82,6 +94,63 @@ def _behind(crowd: Crowd, me: int, shoal: Float64s, number: float, spacing: floa
     return lag
 
 
+@row
+def heed(
+    dx: float,
+    dy: float,
+    dz: float,
+    vx: float,
+    vy: float,
+    vz: float,
+    length: float,
+    danger: Float64s,
+) -> None:
+    """Write `danger`, (7,): the offset [m] of a predator `length` [m] long, its velocity [m/s], its berth [m]."""
+    danger[0], danger[1], danger[2] = dx, dy, dz
+    danger[3], danger[4], danger[5] = vx, vy, vz
+    danger[6] = _BERTH * length + _BERTH_ROOM + 0.5 * sqrt(vx * vx + vy * vy + vz * vz)
+
+
+@row
+def split(crowd: Crowd, me: int, danger: Float64s, out: Float64s) -> float:
+    """Lean the wanted direction, (3,), out of a predator's way; return how near it is, 0 to 1.
+
+    Before the predator to the fish's own side of its path, beside it and behind back along it.
+    """
+    x, y, z = -danger[0], -danger[1], -danger[2]
+    far = sqrt(x * x + y * y + z * z) + 1e-9
+    near: float = 1.0 - far / (danger[6] + 1e-9)
+    if near <= 0.0:
+        return 0.0
+    size = sqrt(danger[3] * danger[3] + danger[4] * danger[4] + danger[5] * danger[5]) + 1e-9
+    u, v, w = danger[3] / size, danger[4] / size, danger[5] / size
+    along = x * u + y * v + z * w
+    if size < _STANDING:
+        u = v = w = along = 0.0
+    a, b, c = x - along * u, y - along * v, _FLAT * (z - along * w)
+    aside = sqrt(a * a + b * b + c * c)
+    if aside < 0.05 * far:
+        side = 1.0 if crowd.id[me] & 1 else -1.0
+        a, b, aside = a - side * 0.1 * far * v - 1e-6, b + side * 0.1 * far * u, 0.1 * far + 1e-6
+    ahead = max(along / far, 0.0)
+    push = _SPLIT * near * (1.0 if along > 0.0 else max(1.0 + along / far, 0.0)) / aside
+    back = _SPLIT * _BACK * near * (1.0 - ahead)
+    out[0] += push * a - back * u
+    out[1] += push * b - back * v
+    out[2] += push * c - back * w
+    return near
+
+
+@row
+def part(hx: float, hy: float, hz: float, normal: Float64s, near: float, out: Float64s) -> None:
+    """Lean the wanted direction, (3,), along an obstacle with the unit way out `normal`, `near` 0 to 1."""
+    into = min(out[0] * normal[0] + out[1] * normal[1] + out[2] * normal[2], 0.0)
+    push = near * (_PART - into)
+    out[0] += push * normal[0] + near * hx
+    out[1] += push * normal[1] + near * hy
+    out[2] += push * normal[2] + near * hz
+
+
 @inlined
 def school(
     crowd: Crowd,
@@ -96,12 +165,19 @@ def school(
     place_y: float,
     place_z: float,
     previous_gear: int,
+    alarm: float,
+    danger: Float64s,
+    normal: Float64s,
+    blocked: float,
     out: Float64s,
-) -> tuple[int, float]:
-    """Write the wanted direction, not of unit length, (3,); return gear and urgency.
+) -> tuple[int, float, float]:
+    """Write the wanted direction, not of unit length, (3,); return gear, urgency, throttle.
 
-    `spacing` [m] is the distance kept; `shoal`, (6,), and `number` come from `see_shoal`.
+    `spacing` [m] is the distance kept, less where `alarm`, 0 to 1, is felt; `shoal`, (6,), and `number` come
+    from `see_shoal`; `danger`, (7,), from `heed`, its last 0 for none; `blocked`, 0 to 1: how near the obstacle
+    is whose unit way out is `normal`, (3,).
     """
+    spacing *= 1.0 - _CLOSE_RANKS * alarm
     ax, ay, az = crowd.hx[me], crowd.hy[me], crowd.hz[me]
     sx = sy = sz = cx = cy = cz = 0.0
     for k in range(found):
@@ -137,4 +213,12 @@ def school(
     rise = _ROAM * min(max((place_z - crowd.z[me]) / _RISE_FADES, -1.0), 1.0)
     out[0], out[1], out[2] = x + pull * dx, y + pull * dy, z + rise
     crowding = sqrt(sx * sx + sy * sy + sz * sz)
-    return _gear(previous_gear, along), min(0.15 + 0.5 * crowding, 0.8)
+    gear = _gear(previous_gear, along)
+    urgency: float = min(0.15 + 0.5 * crowding + 0.2 * alarm, 0.8)
+    if blocked > 0.0:
+        part(crowd.hx[me], crowd.hy[me], crowd.hz[me], normal, blocked, out)
+    if danger[6] > 0.0:
+        close = split(crowd, me, danger, out)
+        if close > 0.0:
+            gear, urgency = 2, max(urgency, 0.45 + 0.4 * close)
+    return gear, urgency, 1.0

@@ -1,28 +1,36 @@
 """Wandering: swim at leisure to one place after another (papers/004).
 
 A place is drawn by chance: beside a home point of the species where there are any, beside a rock where there are
-rocks, else anywhere within reach. A pacifist that sees the submarine sometimes comes to look.
+rocks, else anywhere within reach. Pacifists come to look at the submarine, stand before it and go round it; predators
+measure it from farther off. Then they lose interest.
 """
 
 from math import sqrt
 from typing import Final
 
 from components.arrays import Float64s
-from components.chance import WANDER, uniform
+from components.chance import CURIOSITY, WANDER, uniform
 from components.ground import Terrain, ground_height
 from components.kernels import inlined, row
-from components.mind import Role
 from components.vector import point
+from systems.mind.behave.pace import pace
+from systems.mind.grid import Crowd
 
-PACIFIST: Final = int(Role.PACIFIST)
+INTEREST_TICKS: Final = 1800
+"""[ticks] for which a fish keeps its interest, or the lack of it."""
+
+LOOK_TICKS: Final = 300
+"""[ticks] for which a curious fish stands and looks before it goes round."""
 
 _STRAY: Final = 4.0
 _LIFT: Final = 0.7
 _SLOPE: Final = 0.3
 _LEAP: Final = 12.0
-_CURIOUS: Final = 0.35
 _LONGEST: Final = 8.0
-_LOOK_FROM: Final = 4.0
+_ELBOW_ROOM: Final = 0.6
+_LINGER: Final = 0.35
+_LINGER_FROM: Final = 0.62
+_BRISK_FROM: Final = 0.75
 
 
 @row
@@ -91,17 +99,49 @@ def depart(
     return now + int(60.0 * seconds)
 
 
-@inlined
-def wander(
-    role: int, direction: Float64s, drawn: float, away: Float64s, sight: float, out: Float64s
-) -> tuple[int, float]:
-    """Write the wanted direction, (3,); return gear and urgency. `drawn` is this leg's chance.
+@row
+def is_curious(seed: int, now: int, identity: int, chance: float) -> bool:
+    """Return whether a fish cares to look at something new: for half a minute at a time, by `chance`, 0 to 1."""
+    slot = (now + 61 * (identity & 31)) // INTEREST_TICKS
+    return uniform(seed, CURIOSITY, slot, identity) < chance
 
-    `away` [m] is the offset from the submarine.
+
+@row
+def visit(
+    crowd: Crowd, me: int, speeds: Float64s, away: Float64s, ring: float, now: int, out: Float64s
+) -> tuple[int, float, float]:
+    """Write the wanted direction, (3,), of a fish that looks at the submarine; return gear, urgency, throttle.
+
+    It comes to `ring` [m] from it, `away` [m], (3,), being its offset from it; there it stands and looks, or
+    goes round it, in turn. `speeds`: the species' in its gears [BL/s], (3,).
+    """
+    identity, length = crowd.id[me], crowd.length[me]
+    x, y, z = away[0], away[1], away[2]
+    far = sqrt(x * x + y * y + z * z) + 1e-9
+    beyond = far - ring
+    if beyond < -_ELBOW_ROOM:
+        out[0], out[1], out[2] = x, y, 0.3 * z
+        return 1, 0.3, 1.0
+    if beyond > _ELBOW_ROOM:
+        out[0], out[1], out[2] = -x, -y, -z
+        gear, throttle = pace(speeds, length, max(0.6 * beyond, 0.5 * speeds[0] * length))
+        return min(gear, 1), 0.15, min(throttle, 1.0)
+    if (now // LOOK_TICKS + identity) & 1:
+        out[0], out[1], out[2] = -x, -y, -z
+        return 0, 0.3, 0.0
+    side = 1.0 if identity & 2 else -1.0
+    inward = 0.6 * beyond / (_ELBOW_ROOM * far)
+    out[0], out[1] = -side * y / far - inward * x, side * x / far - inward * y
+    out[2] = -0.3 * z / far
+    return 0, 0.2, 1.0
+
+
+@inlined
+def wander(direction: Float64s, drawn: float, out: Float64s) -> tuple[int, float, float]:
+    """Write the wanted direction, (3,); return gear, urgency, throttle. `drawn` is this leg's chance.
+
+    Some legs are brisk, most slow, some nearly a stop.
     """
     out[0], out[1], out[2] = direction[0], direction[1], direction[2]
-    far = sqrt(away[0] * away[0] + away[1] * away[1] + away[2] * away[2])
-    if role == PACIFIST and drawn < _CURIOUS and _LOOK_FROM < far < 2.0 * sight:
-        out[0], out[1], out[2] = -away[0] / far, -away[1] / far, -away[2] / far
-        return 1, 0.1
-    return (1 if drawn > 0.75 else 0), 0.1
+    throttle = _LINGER if _LINGER_FROM < drawn < _BRISK_FROM else 1.0
+    return (1 if drawn > _BRISK_FROM else 0), 0.1, throttle
