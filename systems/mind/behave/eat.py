@@ -9,16 +9,12 @@ from systems.mind.behave.chase_target import chase_target
 from systems.mind.behave.pace import SLOWEST, pace
 from systems.mind.grid import Crowd
 
-NOSE: Final = 0.45
-"""[BL] from a fish's origin to its mouth."""
-
 _LAST: Final = 2.0
 _GAPE_FROM: Final = 3.0
 _AFTER: Final = 1.6
 _LEAST: Final = 0.25
 _FACING: Final = 0.5
 _BESIDE: Final = 0.1
-_DASH: Final = 0.25
 
 
 @row
@@ -32,30 +28,31 @@ def eat(
     vx: float,
     vy: float,
     vz: float,
+    nose: float,
     mouth: float,
     hunger: float,
+    hunts: bool,
     out: Float64s,
 ) -> tuple[int, float, float, float]:
     """Write the wanted direction, (3,), to a meal at the offset d [m] that moves with v [m/s].
 
-    `speeds`: the species' in its gears [BL/s], (3,); `mouth` [BL]: how far from the nose it sucks in. Return
-    gear, urgency, throttle and gape, 0 to 1. What flees is dashed at; what drifts is stopped at, and backed
-    off from where it has come to lie beside the mouth.
+    `speeds`: the species' in its gears [BL/s], (3,); `nose` [BL]: how far it lies ahead of the origin; `mouth`
+    [BL]: how far from there it sucks in. Return gear, urgency, throttle and gape, 0 to 1. Prey is dashed at, if
+    it `hunts`; what drifts is stopped at, and backed off from where it has come to lie beside the mouth.
     """
     length = crowd.length[me]
     hx, hy, hz = crowd.hx[me], crowd.hy[me], crowd.hz[me]
-    nose = NOSE * length
-    x, y, z = dx - nose * hx, dy - nose * hy, dz - nose * hz
+    tip = nose * length
+    x, y, z = dx - tip * hx, dy - tip * hy, dz - tip * hz
     gap = sqrt(x * x + y * y + z * z) + 1e-9
     facing = (dx * hx + dy * hy + dz * hz) / (sqrt(dx * dx + dy * dy + dz * dz) + 1e-9)
     near = gap / (length * mouth)
     gape = min(max(_GAPE_FROM - near, 0.0), 1.0) if facing > _FACING else 0.0
-    flees = vx * vx + vy * vy + vz * vz > _DASH * _DASH * length * length
-    if flees or gap > _LAST * length:
+    if hunts or gap > _LAST * length:
         gear, urgency, throttle = chase_target(
             crowd, me, speeds, dx, dy, dz, vx, vy, vz, 0.4 + 0.6 * hunger, out
         )
-        if flees and facing > _FACING:
+        if hunts and facing > _FACING:
             gear, urgency, throttle = 2, 0.8, 1.2
         return gear, urgency, throttle, gape
     out[0], out[1], out[2] = dx + 0.3 * vx, dy + 0.3 * vy, dz + 0.3 * vz
