@@ -1,4 +1,4 @@
-"""The groups of fishes that a level brings in, and the count of ids given so far."""
+"""The groups of fishes that a level brings in, who is to replace the eaten, and the count of ids given so far."""
 
 import numpy as np
 
@@ -26,6 +26,17 @@ class CohortTable(Table):
     "tick at which they go, (capacity,)"
     present: Int8s = column(np.int8)
     "1 from arrival until they leave, (capacity,)"
+    restock: Int64s = column(np.int64, fill=NEVER)
+    "[ticks] from a fish being eaten to another's coming, `NEVER` for none, (capacity,)"
+
+
+class RestockTable(Table):
+    """One row a fish that was eaten and that another is to replace."""
+
+    cohort: Int32s = column(np.int32)
+    "row of the eaten one's group in `CohortTable`, (capacity,)"
+    due: Int64s = column(np.int64)
+    "tick from which the other may come, (capacity,)"
 
 
 class Roster(Table):

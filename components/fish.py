@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from components.arrays import Float64s, Int32s, Int64s
+from components.index import RowIndex
 from components.mind import MindTable
 from components.motor import MotorTable
 from components.table import Table, column
@@ -52,7 +53,7 @@ class Population:
     motor: MotorTable = field(default_factory=MotorTable)
 
     def __post_init__(self) -> None:
-        self._row_of = np.full(16, -1, np.int64)
+        self.index = RowIndex()
         self.reindex()
 
     @property
@@ -66,14 +67,15 @@ class Population:
         self.mind.append(len(ids))
         self.motor.append(len(ids))
         self.fish.id[rows] = ids
-        self._point(ids, np.arange(rows.start, rows.stop))
+        if not self.index.add(ids, rows.start):
+            self.reindex()
         return rows
 
     def remove(self, identity: int) -> None:
         """Forget the fish `identity`; the last row takes its place. Raise KeyError where there is none."""
         row, last = self.row(identity), self.fish.count - 1
-        self._row_of[self.fish.id[last]] = row
-        self._row_of[identity] = -1
+        self.index.move(int(self.fish.id[last]), row)
+        self.index.move(identity, -1)
         for table in (self.fish, self.mind, self.motor):
             table.remove(row)
 
@@ -85,23 +87,14 @@ class Population:
 
     def reindex(self) -> None:
         """Rebuild the map from id to row after rows were moved or restored."""
-        self._row_of.fill(-1)
-        self._point(self.fish.id[: self.fish.count], np.arange(self.fish.count))
+        self.index.rebuild(self.fish.id[: self.fish.count])
 
     def row(self, identity: int) -> int:
         """Return the row of the fish `identity`. Raise KeyError where there is none."""
-        if identity not in self:
+        row = self.index.row(identity)
+        if row < 0:
             raise KeyError(identity)
-        return int(self._row_of[identity])
+        return row
 
     def __contains__(self, identity: int) -> bool:
-        return 0 <= identity < len(self._row_of) and bool(self._row_of[identity] >= 0)
-
-    def _point(self, ids: Int64s, rows: Int64s) -> None:
-        """Let the ids lead to the rows."""
-        largest = int(ids.max(initial=-1))
-        if largest >= len(self._row_of):
-            more = np.full(2 * (largest + 1), -1, np.int64)
-            more[: len(self._row_of)] = self._row_of
-            self._row_of = more
-        self._row_of[ids] = rows
+        return self.index.row(identity) >= 0

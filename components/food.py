@@ -3,6 +3,7 @@
 import numpy as np
 
 from components.arrays import Float64s, Int32s, Int64s
+from components.kernels import inlined
 from components.table import Table, column
 
 GONE = 1 << 62
@@ -20,7 +21,7 @@ class FoodTable(Table):
     "grams of food in it; a fish's average meal is in `SenseTable.meal`, (capacity,)"
     patch: Int32s = column(np.int32)
     "which of the level's food patches it belongs to, (capacity,)"
-    returns: Int64s = column(np.int64)
+    returns: Int64s = column(np.int64, fill=-1)
     "tick from which it is in the water; later than now where it was eaten, (capacity,)"
     eaten_by: Int64s = column(np.int64, fill=-1)
     "stable id of the fish that sucks it in, -1 for none, (capacity,)"
@@ -37,3 +38,9 @@ class PatchTable(Table):
     "[m/s] of its particles, world axes, (capacity, 3)"
     returns_after: Int64s = column(np.int64)
     "[ticks] from being eaten to coming back, `GONE` for never, (capacity,)"
+
+
+@inlined
+def in_stomach(eaten: float, ate_at: int, now: int, digestion: float) -> float:
+    """Return the meals still undigested of `eaten` at the last bite: n R(t) of papers/004; `digestion` in ticks."""
+    return eaten * max(1.0 - (now - ate_at) / digestion, 0.0)

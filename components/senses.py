@@ -17,6 +17,10 @@ MOUTH: Final = 0.35
 """[BL] from the nose at which a wide open mouth sucks in what it eats."""
 
 
+SWALLOWED: Final = 0.34
+"""Length of the largest fish that one swallows, over its own."""
+
+
 class SenseTable(NamedTuple):
     """One entry a species, in the order of the level's species. S species."""
 
@@ -62,6 +66,8 @@ class SenseTable(NamedTuple):
     "1 likes warmth, -1 the cold, 0 does not mind, (S,)"
     mouth: Float64s
     "[BL] farthest from the nose at which a wide open mouth sucks in, (S,)"
+    nose: Float64s
+    "[BL] from the body's origin forward to the nose, (S,)"
 
 
 def _girth(species: Species) -> float:
@@ -103,4 +109,5 @@ def sense_table(species: Sequence[Species], library: RepertoireLibrary) -> Sense
         bright=np.array([kind.temper.bright for kind in species], np.int8),
         warm=np.array([kind.temper.warm for kind in species], np.int8),
         mouth=np.array([MOUTH for _ in species], np.float64),
+        nose=np.array([kind.body.station[1] for kind in species], np.float64),
     )

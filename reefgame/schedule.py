@@ -3,20 +3,20 @@
 pilot    the submarine obeys the player                                  systems/player/pilot.py
 think    a quarter of the fishes perceive, intend and behave             systems/mind/think.py
 bound    ground, rocks, surface and rim turn fishes inward               systems/motor/bound.py
-control  the secondary controller chooses segments and steers
-systems/motor/control.py move     every fish plays its segment, warps and balances
-systems/motor/move.py spawn    the level's groups arrive and leave
-systems/play/spawn.py judge    photographs and objectives
-systems/play/judge.py
+control  the secondary controller chooses segments and steers            systems/motor/control.py
+move     every fish plays its segment, warps and balances                systems/motor/move.py
+feed     food drifts; open mouths suck in and swallow                    systems/play/feed.py
+spawn    the level's groups arrive and leave; the eaten are replaced     systems/play/spawn.py
+judge    photographs and objectives                                      systems/play/judge.py
 """
 
 from typing import TYPE_CHECKING, Protocol
 
-from components.senses import sense_table
 from systems.mind.think import Think
 from systems.motor.bound import Bound
 from systems.motor.control import Control
 from systems.motor.move import Move
+from systems.play.feed import Feed
 from systems.play.judge import Judge
 from systems.play.spawn import Spawn
 from systems.player.pilot import Pilot
@@ -36,12 +36,15 @@ def spawner(world: "World") -> Spawn:
     """Return the system that fills the world before its first tick and is part of every tick."""
     return Spawn(
         world.cohorts,
+        world.restocks,
         world.roster,
         world.population,
         world.entities,
         world.species,
         world.library,
         world.terrain,
+        world.submarine,
+        world.level.water.visibility_m,
         world.clock,
     )
 
@@ -49,13 +52,14 @@ def spawner(world: "World") -> Spawn:
 def schedule(world: "World") -> tuple[System, ...]:
     """Return the systems of a tick in their order."""
     fishes, terrain, clock = world.population, world.terrain, world.clock
-    senses = sense_table(world.species, world.library)
+    senses = world.senses
     return (
         Pilot(world.submarine, world.commands, terrain),
         Think(fishes, senses, terrain, world.submarine, clock),
         Bound(fishes, senses, terrain),
         Control(fishes, world.library, clock),
         Move(fishes, world.library, terrain, clock),
+        Feed(fishes, world.food, world.patches, senses, terrain, world.spawn, clock),
         world.spawn,
         Judge(
             world.objective,

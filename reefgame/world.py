@@ -5,13 +5,15 @@
 are equal.
 """
 
-from components.clock import TICKS_PER_SECOND, Clock
-from components.cohort import NEVER, CohortTable, Roster
+from components.clock import Clock
+from components.cohort import RestockTable, Roster
 from components.command import Command, CommandTable
 from components.entities import Entities
 from components.fish import Population
+from components.habitat import Habitat
 from components.objective import ObjectiveTable, Photograph
 from components.repertoire import RepertoireLibrary, pack
+from components.senses import SenseTable, sense_table
 from components.species import Species
 from components.submarine import SubmarineTable
 from components.table import Table
@@ -21,6 +23,7 @@ from reefgame.checksum import table_checksum
 from reefgame.content import Content
 from reefgame.content.level_checks import terrain_of
 from reefgame.content.schema.level import Level
+from reefgame.level_tables import cohorts_of, food_of, habitat_of, patches_of
 from reefgame.schedule import schedule, spawner
 from reefgame.snapshot import Snapshot
 
@@ -36,9 +39,15 @@ class World:
         self.terrain: Terrain = _terrain(content)
         self.clock = Clock(seed)
         self.roster = Roster()
-        self.cohorts = _cohorts(content)
+        names = [species.name for species in content.species]
+        self.cohorts = cohorts_of(content.level, names)
+        self.restocks = RestockTable()
         self.population = Population()
         self.entities = Entities()
+        self.patches = patches_of(content.level)
+        self.food = food_of(content.level, self.patches, self.terrain, seed)
+        self.habitat: Habitat = habitat_of(content.level)
+        self.senses: SenseTable = sense_table(self.species, self.library)
         self.submarine = _submarine(content.level)
         self.commands = CommandTable()
         self.goals = _goals(content)
@@ -69,9 +78,11 @@ class World:
             "submarine": self.submarine,
             "roster": self.roster,
             "cohorts": self.cohorts,
+            "restocks": self.restocks,
             "fish": self.population.fish,
             "mind": self.population.mind,
             "motor": self.population.motor,
+            "food": self.food,
             "objective": self.objective,
         }
 
@@ -96,21 +107,6 @@ def _terrain(content: Content) -> Terrain:
     names = [species.name for species in content.species]
     homes = [(home.at_m, names.index(home.species)) for home in level.homes]
     return terrain_of(level).with_homes(homes)
-
-
-def _cohorts(content: Content) -> CohortTable:
-    names = [species.name for species in content.species]
-    groups = content.level.fishes
-    table = CohortTable(count=len(groups))
-    for at, group in enumerate(groups):
-        table.species[at] = names.index(group.species)
-        table.number[at] = group.count
-        table.around[at] = group.around_m
-        table.within[at] = group.within_m
-        table.arrives[at] = round(group.arrives_s * TICKS_PER_SECOND)
-        leaves = group.leaves_s
-        table.leaves[at] = NEVER if leaves is None else round(leaves * TICKS_PER_SECOND)
-    return table
 
 
 def _submarine(level: Level) -> SubmarineTable:

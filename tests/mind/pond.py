@@ -46,6 +46,7 @@ def make_senses() -> SenseTable:
         bright=np.zeros(2, np.int8),
         warm=np.zeros(2, np.int8),
         mouth=np.full(2, 0.35),
+        nose=np.full(2, 0.28),
     )
 
 

@@ -11,6 +11,7 @@ from pydantic_core import PydanticCustomError
 
 from reefgame.content.schema.strict import (
     TITLE_PATTERN,
+    Fraction,
     Ground,
     Place,
     Reference,
@@ -21,6 +22,8 @@ from reefgame.content.schema.strict import (
 
 Degrees: TypeAlias = Annotated[float, Field(ge=-360.0, le=360.0)]
 Seconds: TypeAlias = Annotated[float, Field(ge=0.0, le=36_000.0)]
+Current: TypeAlias = Annotated[float, Field(ge=-2.0, le=2.0)]
+Drift: TypeAlias = tuple[Current, Current, Current]
 SemiAxis: TypeAlias = Annotated[float, Field(ge=0.1, le=50.0)]
 
 
@@ -47,6 +50,23 @@ class Water(Strict):
 
     visibility_m: Annotated[float, Field(ge=3.0, le=100.0)] = 22.0
     """How far things can be seen."""
+    light_halves_m: Annotated[float, Field(ge=1.0, le=200.0)] = 12.0
+    """Depth in which light falls to a half."""
+    surface_c: Annotated[float, Field(ge=-2.0, le=40.0)] = 26.0
+    """Temperature at the surface, the mean of a day."""
+    bottom_c: Annotated[float, Field(ge=-2.0, le=40.0)] | None = None
+    """Temperature at the deepest ground; null: two degrees colder than the surface."""
+    swing_c: Annotated[float, Field(ge=0.0, le=10.0)] = 0.0
+    """How much warmer than the mean the surface is at noon."""
+
+    @field_validator("bottom_c")
+    @classmethod
+    def _colder(cls, bottom: float | None, info: ValidationInfo) -> float | None:
+        if bottom is not None and bottom > info.data.get("surface_c", bottom):
+            raise PydanticCustomError(
+                "water", "the bottom cannot be warmer than the surface: bottom_c <= surface_c"
+            )
+        return bottom
 
 
 class Sun(Strict):
@@ -54,6 +74,17 @@ class Sun(Strict):
 
     elevation_deg: Annotated[float, Field(ge=5.0, le=90.0)] = 55.0
     azimuth_deg: Degrees = 60.0
+
+
+class Day(Strict):
+    """The sun's way over the level: light and temperature, which fishes mind."""
+
+    length_s: Annotated[float, Field(ge=60.0, le=86_400.0)] | None = None
+    """From sunrise to sunrise; null: the sun stands still."""
+    starts: Literal["sunrise", "morning", "noon", "afternoon", "sunset", "midnight"] = "noon"
+    """When the dive begins."""
+    night_light: Fraction = 0.1
+    """Light at midnight over that at noon."""
 
 
 class RockPlace(Strict):
@@ -91,6 +122,8 @@ class Group(Strict):
     arrives_s: Seconds = 0.0
     leaves_s: Seconds | None = None
     """null: they stay."""
+    restock_s: Seconds | None = 120.0
+    """How long after a fish was eaten another comes in its place; null: none ever does."""
 
     @field_validator("leaves_s")
     @classmethod
@@ -98,6 +131,20 @@ class Group(Strict):
         if leaves is not None and leaves <= info.data.get("arrives_s", -1.0):
             raise PydanticCustomError("leaves", "the group must leave after it arrives")
         return leaves
+
+
+class FoodPatch(Strict):
+    """Food that drifts in a ball of water: particles, each a small meal."""
+
+    around_m: Place
+    within_m: Annotated[float, Field(gt=0.0, le=100.0)]
+    particles: Annotated[int, Field(ge=1, le=20_000)]
+    meal_g: Annotated[float, Field(gt=0.0, le=10_000.0)] = 0.05
+    """Of one particle."""
+    drift_m_per_s: Drift = (0.0, 0.0, 0.0)
+    """The way that the particles go; who leaves the ball comes back on its other side."""
+    returns_s: Seconds | None = 60.0
+    """How long after a particle was eaten there is another; null: never."""
 
 
 class PhotographGoal(Strict):
@@ -139,10 +186,12 @@ class LevelFile(Strict):
     seabed: Seabed = Seabed()
     water: Water = Water()
     sun: Sun = Sun()
+    day: Day = Day()
     rocks: Annotated[tuple[RockPlace, ...], Field(max_length=400)] = ()
     homes: Annotated[tuple[Home, ...], Field(max_length=200)] = ()
     submarine: Start
     fishes: Annotated[tuple[Group, ...], Field(max_length=400)] = ()
+    food: Annotated[tuple[FoodPatch, ...], Field(max_length=200)] = ()
     objective: Objective
     prompts: Annotated[tuple[Prompt, ...], Field(max_length=20)] = ()
 

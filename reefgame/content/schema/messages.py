@@ -17,12 +17,29 @@ UNITS: Final = {
     "m": "metres",
     "cm": "centimetres",
     "s": "seconds",
+    "min": "minutes",
+    "g": "grams",
+    "c": "degrees Celsius",
     "deg": "degrees",
     "hz": "beats a second",
     "percent": "percent",
     "bl": "body lengths",
 }
-_OTHER_UNITS: Final = (*UNITS, "mm", "km", "min", "ms", "rad", "ft", "in", "inch", "kg", "metres")
+_OTHER_UNITS: Final = (
+    *UNITS,
+    "mm",
+    "km",
+    "h",
+    "ms",
+    "rad",
+    "ft",
+    "in",
+    "inch",
+    "kg",
+    "mg",
+    "f",
+    "metres",
+)
 
 
 def message(error: Details, model: type[BaseModel]) -> str:

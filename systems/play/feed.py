@@ -1,0 +1,377 @@
+"""Feed: food drifts; open mouths suck in what they are about and swallow it (papers/004, eating and ingesting).
+
+A mouth that the mind has opened claims the prey or particle that it attends to, once it is near enough to the nose;
+of several mouths the nearest has it. For a fifth of a second the victim is drawn to the mouth, whatever it does
+itself; then it is gone, and its grams are in the stomach. Who is sucked in lets go of what it had in its mouth.
+"""
+
+from math import sqrt
+from typing import Final, NamedTuple
+
+import numba
+import numpy as np
+
+from components import chance
+from components.arrays import Float64s, Int8s, Int32s, Int64s
+from components.clock import TICK_SECONDS, TICKS_PER_SECOND, Clock
+from components.fish import Population
+from components.food import FoodTable, PatchTable, in_stomach
+from components.ground import Terrain
+from components.index import Places, row_of
+from components.kernels import inlined, loop, row
+from components.mind import FOOD, Intention
+from components.senses import SWALLOWED, SenseTable
+from components.terrain import confine
+from systems.play.spawn import Spawn, place
+
+SUCK_TICKS: Final = TICKS_PER_SECOND // 5
+"""[ticks] in which a victim is drawn to the mouth, at the most."""
+OPEN: Final = 0.5
+"""Gape from which a mouth sucks in."""
+FISH_GRAMS: Final = 10_000.0
+"""[g] of a fish of one metre; its mass grows with the cube of its length."""
+
+_EAT: Final = int(Intention.EAT)
+_BERTH: Final = 0.03
+_CONFINE_EVERY: Final = 16
+_PIECES: Final = 16
+
+
+class Mouths(NamedTuple):
+    """The columns of fishes and minds that feeding reads and writes."""
+
+    id: Int64s
+    species: Int32s
+    length: Float64s
+    position: Float64s
+    last_position: Float64s
+    rotation: Float64s
+    last_rotation: Float64s
+    intention: Int8s
+    focus: Int64s
+    gape: Float64s
+    swallowed_by: Int64s
+    eaten: Float64s
+    ate_at: Int64s
+
+
+class Larder(NamedTuple):
+    """The columns of food and patches."""
+
+    position: Float64s
+    last_position: Float64s
+    meal: Float64s
+    patch: Int32s
+    returns: Int64s
+    eaten_by: Int64s
+    around: Float64s
+    within: Float64s
+    drift: Float64s
+    returns_after: Int64s
+
+
+@row
+def appear(
+    terrain: Terrain,
+    seed: int,
+    now: int,
+    particle: int,
+    around: Float64s,
+    within: float,
+    position: Float64s,
+) -> None:
+    """Put a particle anywhere in the free water of the ball `within` [m] of `around`, into position[particle]."""
+    place(seed, chance.FOOD_PLACE, now, particle, around, within, position[particle])
+    confine(terrain, position, particle, _BERTH)
+
+
+@row
+def carry(p: Float64s, around: Float64s, within: float, drift: Float64s) -> bool:
+    """Move a particle's place p (3,) by a tick of drift [m/s]; return whether it came back on the ball's other side."""
+    x, y, z = p[0] - around[0], p[1] - around[1], p[2] - around[2]
+    along = x * drift[0] + y * drift[1] + z * drift[2]
+    beyond = along > 0.0 and x * x + y * y + z * z > within * within
+    step = TICK_SECONDS
+    if beyond:
+        step = -2.0 * along / (drift[0] * drift[0] + drift[1] * drift[1] + drift[2] * drift[2])
+    for axis in range(3):
+        p[axis] += step * drift[axis]
+    return bool(beyond)
+
+
+@row
+def drift_some(terrain: Terrain, seed: int, now: int, larder: Larder, begin: int, end: int) -> None:
+    """Carry the particles begin..end that are in the water; let those come back whose tick it is."""
+    position, last = larder.position, larder.last_position
+    for k in range(begin, end):
+        if larder.returns[k] > now or larder.eaten_by[k] >= 0:
+            continue
+        patch = larder.patch[k]
+        around, within = larder.around[patch], larder.within[patch]
+        fresh = larder.returns[k] == now
+        if fresh:
+            appear(terrain, seed, now, k, around, within, position)
+        for axis in range(3):
+            last[k, axis] = position[k, axis]
+        if not fresh:
+            fresh = carry(position[k], around, within, larder.drift[patch])
+        if fresh or (now + k) % _CONFINE_EVERY == 0:
+            confine(terrain, position, k, _BERTH)
+        if fresh:
+            for axis in range(3):
+                last[k, axis] = position[k, axis]
+
+
+@loop
+def drift_all(
+    terrain: Terrain,
+    seed: int,
+    now: int,
+    position: Float64s,
+    last_position: Float64s,
+    meal: Float64s,
+    patch: Int32s,
+    returns: Int64s,
+    eaten_by: Int64s,
+    around: Float64s,
+    within: Float64s,
+    drift: Float64s,
+    returns_after: Int64s,
+    count: int,
+) -> None:
+    """Carry all particles, on all threads."""
+    for piece in numba.prange(_PIECES):
+        larder = Larder(
+            position, last_position, meal, patch, returns, eaten_by, around, within, drift,
+            returns_after,
+        )  # fmt: skip
+        begin, end = count * piece // _PIECES, count * (piece + 1) // _PIECES
+        drift_some(terrain, seed, now, larder, begin, end)
+
+
+@inlined
+def _mouth(
+    position: Float64s, rotation: Float64s, i: int, ahead: float
+) -> tuple[float, float, float]:
+    """Return the nose [m] of row i, `ahead` [m] of its origin."""
+    return (
+        position[i, 0] + ahead * rotation[i, 0, 0],
+        position[i, 1] + ahead * rotation[i, 1, 0],
+        position[i, 2] + ahead * rotation[i, 2, 0],
+    )
+
+
+@row
+def draw_in(
+    mouths: Mouths, eater: int, senses: SenseTable, place: Float64s, last: Float64s
+) -> bool:
+    """Draw what was at `last` (3,) a tick ago to the eater's mouth; return whether it is in."""
+    kind, length = mouths.species[eater], mouths.length[eater]
+    ahead = senses.nose[kind] * length
+    x, y, z = _mouth(mouths.position, mouths.rotation, eater, ahead)
+    u, v, w = _mouth(mouths.last_position, mouths.last_rotation, eater, ahead)
+    u, v, w = last[0] - u, last[1] - v, last[2] - w
+    gap = sqrt(u * u + v * v + w * w)
+    step = senses.mouth[kind] * length / SUCK_TICKS
+    left = max(1.0 - step / gap, 0.0) if gap > step else 0.0
+    place[0], place[1], place[2] = x + left * u, y + left * v, z + left * w
+    return left == 0.0
+
+
+@row
+def fill(mouths: Mouths, eater: int, senses: SenseTable, grams: float, now: int) -> None:
+    """Add a bite to the eater's stomach."""
+    kind = mouths.species[eater]
+    left = in_stomach(mouths.eaten[eater], mouths.ate_at[eater], now, senses.digestion[kind])
+    mouths.eaten[eater] = left + grams / senses.meal[kind]
+    mouths.ate_at[eater] = now
+
+
+@row
+def suck_fishes(
+    mouths: Mouths,
+    count: int,
+    places: Places,
+    senses: SenseTable,
+    now: int,
+    held: Int64s,
+    busy: Int8s,
+    swallowed: Int64s,
+) -> int:
+    """Draw in the fishes that are held, and write the ids of those that are in; return their number.
+
+    `held` (count,) and `busy` (count,) are scratch; busy tells whose mouth is full.
+    """
+    number = 0
+    for i in range(count):
+        held[i], busy[i] = -1, 0
+        if mouths.swallowed_by[i] >= 0:
+            eater = row_of(places, mouths.swallowed_by[i])
+            held[i] = eater if eater >= 0 and mouths.swallowed_by[eater] < 0 else -2
+    for i in range(count):
+        if held[i] == -2:
+            mouths.swallowed_by[i] = -1
+        elif held[i] >= 0:
+            busy[held[i]] = 1
+            if draw_in(mouths, held[i], senses, mouths.position[i], mouths.last_position[i]):
+                grams = FISH_GRAMS * mouths.length[i] * mouths.length[i] * mouths.length[i]
+                fill(mouths, held[i], senses, grams, now)
+                swallowed[number] = mouths.id[i]
+                number += 1
+    return number
+
+
+@row
+def suck_food(
+    mouths: Mouths,
+    larder: Larder,
+    count: int,
+    places: Places,
+    senses: SenseTable,
+    now: int,
+    busy: Int8s,
+) -> None:
+    """Draw in the particles that are held; those that are in are gone until they return."""
+    for k in range(count):
+        if larder.eaten_by[k] < 0:
+            continue
+        eater = row_of(places, larder.eaten_by[k])
+        if eater < 0 or mouths.swallowed_by[eater] >= 0:
+            larder.eaten_by[k] = -1
+            continue
+        busy[eater] = 1
+        for axis in range(3):
+            larder.last_position[k, axis] = larder.position[k, axis]
+        if draw_in(mouths, eater, senses, larder.position[k], larder.last_position[k]):
+            fill(mouths, eater, senses, larder.meal[k], now)
+            larder.eaten_by[k] = -1
+            larder.returns[k] = now + 1 + larder.returns_after[larder.patch[k]]
+
+
+@inlined
+def _reach(mouths: Mouths, eater: int, senses: SenseTable, at: Float64s) -> float:
+    """Return how far [m] a place (3,) is from the eater's nose."""
+    ahead = senses.nose[mouths.species[eater]] * mouths.length[eater]
+    x, y, z = _mouth(mouths.position, mouths.rotation, eater, ahead)
+    x, y, z = at[0] - x, at[1] - y, at[2] - z
+    return sqrt(x * x + y * y + z * z)
+
+
+@row
+def _edible(
+    mouths: Mouths, i: int, larder: Larder, food: int, places: Places, senses: SenseTable, now: int
+) -> bool:
+    """Say whether what row i attends to is free to be claimed by it, and near enough to its mouth."""
+    focus, kind, length = mouths.focus[i], mouths.species[i], mouths.length[i]
+    reach = senses.mouth[kind] * length
+    if focus >= 0:
+        prey = row_of(places, focus)
+        if prey < 0 or mouths.swallowed_by[prey] >= 0:
+            return False
+        fits = mouths.length[prey] <= SWALLOWED * length
+        eats = senses.eats[kind, mouths.species[prey]] != 0
+        return bool(fits and eats and _reach(mouths, i, senses, mouths.position[prey]) <= reach)
+    k = FOOD - focus
+    if k < 0 or k >= food or larder.returns[k] > now or larder.eaten_by[k] >= 0:
+        return False
+    return bool(senses.grazes[kind] and _reach(mouths, i, senses, larder.position[k]) <= reach)
+
+
+@row
+def _claim(
+    mouths: Mouths, i: int, places: Places, senses: SenseTable, holder: Int64s, at: Float64s
+) -> None:
+    """Make row i the holder (1,) of what is at a place, if it is nearer than who claimed it this tick."""
+    if holder[0] >= 0:
+        other = row_of(places, holder[0])
+        mine, its = _reach(mouths, i, senses, at), _reach(mouths, other, senses, at)
+        if its < mine or (its == mine and holder[0] < mouths.id[i]):
+            return
+    holder[0] = mouths.id[i]
+
+
+@row
+def open_mouths(
+    mouths: Mouths,
+    count: int,
+    larder: Larder,
+    food: int,
+    places: Places,
+    senses: SenseTable,
+    now: int,
+    busy: Int8s,
+    claims: Int64s,
+) -> None:
+    """Let every open, empty mouth claim what it attends to; the nearest has it, then the lowest id.
+
+    `claims` (count,) is scratch: first who can claim is found, while nobody has yet.
+    """
+    number = 0
+    for i in range(count):
+        if mouths.intention[i] != _EAT or mouths.gape[i] <= OPEN or busy[i]:
+            continue
+        if mouths.swallowed_by[i] < 0 and _edible(mouths, i, larder, food, places, senses, now):
+            claims[number] = i
+            number += 1
+    for at in range(number):
+        i = claims[at]
+        focus = mouths.focus[i]
+        if focus >= 0:
+            prey = row_of(places, focus)
+            holder = mouths.swallowed_by[prey : prey + 1]
+            _claim(mouths, i, places, senses, holder, mouths.position[prey])
+        else:
+            k = FOOD - focus
+            holder = larder.eaten_by[k : k + 1]
+            _claim(mouths, i, places, senses, holder, larder.position[k])
+
+
+class Feed:
+    """Reads senses, patches, terrain and clock; writes food, fishes, minds, and through spawn the population."""
+
+    def __init__(
+        self,
+        population: Population,
+        food: FoodTable,
+        patches: PatchTable,
+        senses: SenseTable,
+        terrain: Terrain,
+        spawn: Spawn,
+        clock: Clock,
+    ) -> None:
+        self.population, self.food, self.patches = population, food, patches
+        self.senses, self.terrain, self.spawn, self.clock = senses, terrain, spawn, clock
+        self._room(16)
+
+    def __call__(self) -> None:
+        """Let food drift, mouths suck, and those who are swallowed leave the world."""
+        now, count, food = self.clock.now, self.population.count, self.food.count
+        if count > len(self._held):
+            self._room(2 * count)
+        larder = self._larder()
+        if food:
+            drift_all(self.terrain, int(self.clock.seed[0]), now, *larder, food)
+        mouths, places = self._mouths(), self.population.index.places
+        senses, busy = self.senses, self._busy
+        number = suck_fishes(mouths, count, places, senses, now, self._held, busy, self._swallowed)
+        suck_food(mouths, larder, food, places, senses, now, busy)
+        open_mouths(mouths, count, larder, food, places, senses, now, busy, self._held)
+        for identity in sorted(self._swallowed[:number].tolist()):
+            self.spawn.lose(identity)
+
+    def _mouths(self) -> Mouths:
+        fish, mind = self.population.fish, self.population.mind
+        columns = [getattr(fish if name in fish.columns else mind, name) for name in Mouths._fields]
+        return Mouths(*columns)
+
+    def _larder(self) -> Larder:
+        food, patches = self.food, self.patches
+        columns = [
+            getattr(food if name in food.columns else patches, name) for name in Larder._fields
+        ]
+        return Larder(*columns)
+
+    def _room(self, capacity: int) -> None:
+        self._held = np.zeros(capacity, np.int64)
+        self._swallowed = np.zeros(capacity, np.int64)
+        self._busy = np.zeros(capacity, np.int8)
