@@ -17,6 +17,8 @@ MOUTH: Final = 0.35
 """[BL] from the nose at which a wide open mouth sucks in what it eats."""
 
 
+FISH_GRAMS: Final = 10_000.0
+"""[g] of a fish of one metre; its mass grows with the cube of its length."""
 SWALLOWED: Final = 0.34
 """Length of the largest fish that one swallows, over its own."""
 

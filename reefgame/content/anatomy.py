@@ -1,11 +1,17 @@
 """A checked species file turned into what the game works with (components/species.py)."""
 
+from typing import Final
+
 from components.body import Body, Fin, Swim
 from components.mind import Role
 from components.repertoire import Repertoire
-from components.species import Species
+from components.senses import FISH_GRAMS
+from components.species import Species, Temper
 from reefgame.content.schema.species import MedianFin, SpeciesFile
 from reefgame.content.skins import skin_of
+
+_MEALS_A_WEIGHT: Final = 400.0
+_LIKING: Final = {"bright": 1, "dark": -1, "warm": 1, "cold": -1, None: 0}
 
 
 def _fin(fin: MedianFin | None) -> Fin | None:
@@ -50,6 +56,24 @@ def swim_of(file: SpeciesFile) -> Swim:
     )
 
 
+def temper_of(file: SpeciesFile) -> Temper:
+    """Return how the file's species feels and decides; its diet names species in full."""
+    mind = file.mind
+    weight = FISH_GRAMS * (file.size_cm / 100.0) ** 3
+    return Temper(
+        diet=mind.diet,
+        grazes=file.role != "predator" if mind.grazes is None else mind.grazes,
+        meal=weight / _MEALS_A_WEIGHT if mind.meal_g is None else float(mind.meal_g),
+        appetite=float(mind.appetite_meals),
+        digestion=60.0 * mind.digests_min,
+        breeding=60.0 * mind.breeds_min,
+        wariness=float(mind.wariness_m),
+        curiosity=float(mind.curiosity),
+        bright=_LIKING[mind.likes.light],
+        warm=_LIKING[mind.likes.water],
+    )
+
+
 def species_of(name: str, file: SpeciesFile, repertoire: Repertoire) -> Species:
     """Return the species `name` as its file describes it, with its repertoire."""
     return Species(
@@ -66,4 +90,5 @@ def species_of(name: str, file: SpeciesFile, repertoire: Repertoire) -> Species:
         swim=swim_of(file),
         skin=skin_of(file.skin),
         repertoire=repertoire,
+        temper=temper_of(file),
     )

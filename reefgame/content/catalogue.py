@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Final
 
 from reefgame.content.errors import ContentError, Problem, did_you_mean, listed, quoted
+from reefgame.content.mind_checks import mind_problems
 from reefgame.content.mods import (
     BASE,
     Mod,
@@ -160,7 +161,26 @@ class Catalogue:
 
     def species_file(self, name: str) -> SpeciesFile:
         """Return the species `name` as its file and those it starts from say. Raise ContentError."""
-        return validate(self.species_tree(name), SpeciesFile)
+        tree = self.species_tree(name)
+        file = validate(tree, SpeciesFile)
+        diet, problems = self._diet(tree, file)
+        problems += mind_problems(file, tree, self.species[name].tree.mark.file)
+        if problems:
+            raise ContentError(problems)
+        return file.model_copy(update={"mind": file.mind.model_copy(update={"diet": diet})})
+
+    def _diet(
+        self, tree: Mapping, file: SpeciesFile
+    ) -> tuple[tuple[str, ...], list[Problem]]:
+        """Return the full names of what a species eats, each once, and which species there are not."""
+        full: dict[str, None] = {}
+        problems: list[Problem] = []
+        for index in range(len(file.mind.diet)):
+            try:
+                full[self.resolve(SPECIES, node_at(tree, ("mind", "diet", index)))] = None
+            except ContentError as error:
+                problems += error.problems
+        return tuple(full), problems
 
     def level_tree(self, name: str) -> Mapping:
         """Return a level's tree with overrides merged."""

@@ -13,6 +13,7 @@ from reefgame.content.schema.level import Group, Level
 from reefgame.content.schema.validate import node_at
 
 MOST_FISHES: Final = 200_000
+MOST_PARTICLES: Final = 50_000
 _SHALLOWEST: Final = 3.0
 """[m] that the dunes must leave between the deepest ground and the surface."""
 
@@ -62,6 +63,7 @@ def _places(level: Level, tree: Mapping) -> Iterable[Problem]:
             yield _mark(tree, "homes", index, "at_m").problem(message_or_none)
     places = [(("submarine", "at_m"), level.submarine.at_m, HULL_RADIUS)]
     places += [(("fishes", i, "around_m"), g.around_m, 0.0) for i, g in enumerate(level.fishes)]  # type: ignore[misc]
+    places += [(("food", i, "around_m"), f.around_m, 0.0) for i, f in enumerate(level.food)]  # type: ignore[misc]
     for location, at, margin in places:
         message_or_none = _fault(terrain, tree, at, margin)
         if message_or_none:
@@ -108,6 +110,10 @@ def _numbers(level: Level, tree: Mapping) -> Iterable[Problem]:
     if most > MOST_FISHES:
         message = f"there are too many fishes: {most} at once, at most {MOST_FISHES}"
         yield _mark(tree, "fishes").problem(message)
+    particles = sum(patch.particles for patch in level.food)
+    if particles > MOST_PARTICLES:
+        message = f"there is too much food: {particles} particles, at most {MOST_PARTICLES}"
+        yield _mark(tree, "food").problem(message)
 
 
 def most_at_once(groups: Sequence[Group]) -> int:

@@ -20,7 +20,7 @@ from components.ground import Terrain
 from components.index import Places, row_of
 from components.kernels import inlined, loop, row
 from components.mind import FOOD, Intention
-from components.senses import SWALLOWED, SenseTable
+from components.senses import FISH_GRAMS, SWALLOWED, SenseTable
 from components.terrain import confine
 from systems.play.spawn import Spawn, place
 
@@ -28,8 +28,6 @@ SUCK_TICKS: Final = TICKS_PER_SECOND // 5
 """[ticks] in which a victim is drawn to the mouth, at the most."""
 OPEN: Final = 0.5
 """Gape from which a mouth sucks in."""
-FISH_GRAMS: Final = 10_000.0
-"""[g] of a fish of one metre; its mass grows with the cube of its length."""
 
 _EAT: Final = int(Intention.EAT)
 _BERTH: Final = 0.03

@@ -69,8 +69,8 @@ SPECIES = {
                 0,
                 (
                     "unknown key 'shcool'; did you mean 'school'?; allowed are title, like, overrides, "
-                    "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim "
-                    "or skin"
+                    "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim, "
+                    "mind or skin"
                 ),
             )
         ],
@@ -155,8 +155,8 @@ SPECIES = {
                 0,
                 (
                     "unknown key 'finns'; did you mean 'fins'?; allowed are title, like, overrides, "
-                    "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim "
-                    "or skin"
+                    "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim, "
+                    "mind or skin"
                 ),
             ),
             ("big\n", 0, "must hold keys and values, is the text 'big'"),
@@ -165,8 +165,8 @@ SPECIES = {
                 0,
                 (
                     "unknown key 'big'; allowed are title, like, overrides, "
-                    "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim "
-                    "or skin"
+                    "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim, "
+                    "mind or skin"
                 ),
             ),
         ],

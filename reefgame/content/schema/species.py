@@ -1,4 +1,4 @@
-"""What a species file may say: temper, size, body, fins, swimming and colours (FINDINGS 1b).
+"""What a species file may say: size, body, fins, swimming, mind and colours (FINDINGS 1b).
 
 Lengths on the body are in body lengths (`_bl`): 0 at the nose, 1 at the tip of the tail.
 """
@@ -9,6 +9,7 @@ from typing import Annotated, Literal, TypeAlias
 from pydantic import Field, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
+from reefgame.content.schema.mind import Mind
 from reefgame.content.schema.skins import SkinLook
 from reefgame.content.schema.strict import Fraction, Reference, Strict, Title
 
@@ -158,6 +159,7 @@ class SpeciesFile(Strict):
     body: BodyShape
     fins: Fins
     swim: SwimStyle
+    mind: Mind = Mind()
     skin: SkinLook
 
     @field_validator("depth_m")
