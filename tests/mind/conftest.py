@@ -1,4 +1,4 @@
-"""The pond of pond.py for every test of minds."""
+"""The pond of pond.py and the tank of tank.py for every test of minds."""
 
 import importlib.util
 import sys
@@ -8,18 +8,29 @@ from types import ModuleType
 import pytest
 
 POND = Path(__file__).with_name("pond.py")
+TANK = Path(__file__).with_name("tank.py")
+
+
+def _load(path: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[path.stem] = module
+    spec.loader.exec_module(module)
+    return module
 
 
 @pytest.fixture(scope="session")
 def pond() -> ModuleType:
     """The module pond.py, imported once."""
-    spec = importlib.util.spec_from_file_location("pond", POND)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["pond"] = module
-    spec.loader.exec_module(module)
-    return module
+    return _load(POND)
+
+
+@pytest.fixture(scope="session")
+def tank() -> ModuleType:
+    """The module tank.py, imported once."""
+    return _load(TANK)
 
 
 @pytest.fixture(scope="session")

@@ -21,12 +21,16 @@ START: Final = 0.95
 
 _FLEE: Final = 0.75
 _UPON: Final = 1.0
-_UPON_SECONDS: Final = 0.5
+_UPON_SECONDS: Final = 0.35
 _DODGE_WITHIN: Final = 3.0
 _DODGE: Final = 0.8
+_JINK: Final = 1.4
+_DOUBLE_BACK: Final = -1.0
 _SHELTER: Final = 0.9
 _JOIN: Final = 0.6
 _SCATTER: Final = 0.7
+_OUTRUN: Final = 1.2
+_STRAIGHT: Final = 0.15
 _HIDDEN: Final = 0.6
 _BEHIND: Final = 0.4
 _LIFTED: Final = 0.3
@@ -83,12 +87,15 @@ def find_shelter(
 
 
 @inlined
-def _flee(crowd: Crowd, me: int, predators: Int64s, found: int, out: Float64s) -> float:
-    """Write the sum of the ways out, weighted by nearness, (3,); return the room to the nearest [BL of its own].
+def _flee(
+    crowd: Crowd, me: int, predators: Int64s, found: int, out: Float64s
+) -> tuple[float, float]:
+    """Write the sum of the ways out, weighted by nearness, (3,); return room, side and speed of the nearest.
 
-    Less the way that it comes in half a second.
+    The room is in its own lengths, less the way that it comes in a moment; the side, left positive, is that of
+    its path on which the fish is: 0 where it comes straight on; the speed [m/s] that with which it comes.
     """
-    room = 1e9
+    room, side, speed = 1e9, 0.0, 0.0
     out[0], out[1], out[2] = 0.0, 0.0, 0.0
     for k in range(found):
         other = predators[k]
@@ -102,15 +109,35 @@ def _flee(crowd: Crowd, me: int, predators: Int64s, found: int, out: Float64s) -
         weight = crowd.length[other] / square
         out[0], out[1], out[2] = out[0] + weight * dx, out[1] + weight * dy, out[2] + weight * dz
         come = dx * crowd.hx[other] + dy * crowd.hy[other] + dz * crowd.hz[other]
-        come = max(come / far, 0.0) * crowd.speed[other] * _UPON_SECONDS
-        room = min(room, (far - come) / crowd.length[other])
-    return room
+        come = max(come / far, 0.0) * crowd.speed[other]
+        rest = (far - _UPON_SECONDS * come) / crowd.length[other]
+        if rest < room:
+            room, speed = rest, come
+            side = (crowd.hx[other] * dy - crowd.hy[other] * dx) / far
+    return room, side, speed
 
 
 @inlined
 def _pull(share: float, x: float, y: float, z: float, out: Float64s) -> None:
     scale = share / (sqrt(x * x + y * y + z * z) + 1e-6)
     out[0], out[1], out[2] = out[0] + scale * x, out[1] + scale * y, out[2] + scale * z
+
+
+@inlined
+def _side(
+    crowd: Crowd, me: int, x: float, y: float, charged: bool, aside: float, seed: int, now: int
+) -> float:
+    """Return the side, 1 left of (x, y) or -1, to which it dodges now: by chance, in turns of its own.
+
+    Charged at, it turns on to where it turns already, else out of the other's path.
+    """
+    turned = x * crowd.hy[me] - y * crowd.hx[me]
+    if charged and abs(turned) > _STRAIGHT:
+        aside = turned
+    elif not charged or abs(aside) < _STRAIGHT:
+        slot = (now + (crowd.id[me] & 31)) // ZIGZAG_TICKS
+        aside = uniform(seed, PANIC, slot, crowd.id[me]) - 0.5
+    return 1.0 if aside >= 0.0 else -1.0
 
 
 @row
@@ -135,7 +162,7 @@ def escape(
     which it is afraid by `scare`, 0 to 1; `shelter` [m], (3,): the offset to a hiding-place, if `sheltered`;
     `shoal` [m], (6,), and `number`: its kind, as `see_shoal` says.
     """
-    room = _flee(crowd, me, predators, found, out)
+    room, aside, speed = _flee(crowd, me, predators, found, out)
     if scare > 0.0:
         far = sqrt(away[0] * away[0] + away[1] * away[1] + away[2] * away[2]) + 1e-9
         _pull(scare / far, away[0], away[1], away[2], out)
@@ -145,9 +172,10 @@ def escape(
         out[0], out[1], out[2], size = crowd.hx[me], crowd.hy[me], crowd.hz[me], 1.0
     x, y, z = out[0] / size, out[1] / size, _FLAT * out[2] / size
     near = min(max(1.0 - (room - _UPON) / _DODGE_WITHIN, 0.0), 1.0)
-    slot = (now + (crowd.id[me] & 31)) // ZIGZAG_TICKS
-    side = _DODGE * near if uniform(seed, PANIC, slot, crowd.id[me]) < 0.5 else -_DODGE * near
-    out[0], out[1], out[2] = x - side * y, y + side * x, z
+    charged = room < _UPON and speed > _OUTRUN * crowd.speed[me]
+    side = _side(crowd, me, x, y, charged, aside, seed, now) * (_JINK if charged else _DODGE * near)
+    onward = _DOUBLE_BACK if charged else 1.0
+    out[0], out[1], out[2] = onward * x - side * y, onward * y + side * x, z
     if sheltered:
         hidden = sqrt(shelter[0] * shelter[0] + shelter[1] * shelter[1] + shelter[2] * shelter[2])
         _pull(_SHELTER * (1.0 - near), shelter[0], shelter[1], shelter[2], out)

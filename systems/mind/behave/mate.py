@@ -28,7 +28,7 @@ MATED: Final = 5
 JILTED: Final = 6
 """Returned in the place of a phase: the partner never came, or has left."""
 
-LASTS: Final = (0, 420, 420, 240, 300)
+LASTS: Final = (0, 420, 420, 300, 420)
 """[ticks] that each phase lasts at least."""
 
 PATIENCE: Final = 900
@@ -43,8 +43,10 @@ _LOOP: Final = 1.4
 _TILT: Final = 0.45
 _CIRCLE: Final = 0.9
 _STEEP: Final = 1.2
-_BELLY: Final = 0.3
-_NUDGE_TICKS: Final = 40
+_ABREAST: Final = 0.6
+_BELLY: Final = 0.25
+_REACH: Final = 0.3
+_NUDGE_TICKS: Final = 45
 _NUDGE: Final = 0.35
 
 
@@ -93,12 +95,12 @@ def _nuzzle(
     """Nudge the belly of the one at the offset (x, y, z), and sink back, in turn."""
     length, hers = crowd.length[me], crowd.length[other]
     back = _NUDGE * hers * ((now // _NUDGE_TICKS) & 1)
-    out[0] = x - 0.5 * length * crowd.hx[me] - back * crowd.hx[me]
-    out[1] = y - 0.5 * length * crowd.hy[me] - back * crowd.hy[me]
+    out[0] = x - _REACH * length * crowd.hx[me] - back * crowd.hx[me]
+    out[1] = y - _REACH * length * crowd.hy[me] - back * crowd.hy[me]
     out[2] = z - _BELLY * hers - back
     gap = sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2])
     ahead = out[0] * crowd.hx[me] + out[1] * crowd.hy[me] + out[2] * crowd.hz[me]
-    gear, throttle = pace(speeds, length, 1.5 * (ahead if gap < length else gap))
+    gear, throttle = pace(speeds, length, 2.5 * (ahead if gap < length else gap))
     out[0], out[1] = out[0] + 0.5 * x, out[1] + 0.5 * y
     return gear, 0.5, throttle
 
@@ -107,16 +109,17 @@ def _nuzzle(
 def _rise(
     crowd: Crowd, me: int, other: int, x: float, y: float, z: float, out: Float64s
 ) -> tuple[int, float, float]:
-    """Rise side by side with the one at the offset (x, y, z), as steeply as fishes swim."""
+    """Rise beside the one at the offset (x, y, z), as steeply as fishes swim, the way that the elder faces."""
     length = crowd.length[me]
+    lead = me if crowd.id[me] < crowd.id[other] else other
     far = sqrt(x * x + y * y + z * z) + 1e-9
-    pull = (far - 0.6 * length) / (far * length)
-    out[0] = crowd.hx[me] + crowd.hx[other] + pull * x
-    out[1] = crowd.hy[me] + crowd.hy[other] + pull * y
+    ahead = (x * crowd.hx[lead] + y * crowd.hy[lead] + z * crowd.hz[lead]) / length
+    pull = 0.0 if lead == me else (far - _ABREAST * length) / (far * length)
+    out[0] = crowd.hx[lead] + pull * x
+    out[1] = crowd.hy[lead] + pull * y
     level = sqrt(out[0] * out[0] + out[1] * out[1])
-    out[2] = _STEEP * level + 0.2 * pull * z
-    ahead = (x * crowd.hx[me] + y * crowd.hy[me] + z * crowd.hz[me]) / length
-    return 2, 0.6, min(max(1.0 + 0.5 * ahead, 0.4), 1.2)
+    out[2] = _STEEP * level + 0.6 * pull * z
+    return 2, 0.7, min(max(1.0 + 0.5 * ahead, 0.3), 1.2)
 
 
 @row
