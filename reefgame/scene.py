@@ -1,4 +1,4 @@
-"""What is drawn, in order: rocks, rubble, seabed, its shadows, open water behind them, fishes, motes (DESIGN 3, 5).
+"""What is drawn, in order: rocks, rubble, seabed, its shadows, open water, fishes, food, motes (DESIGN 3, 5).
 
 The water fills only the pixels that nothing has covered yet, so its shader, the dearest, runs once
 a pixel; fishes come after it because their fins are blended over what lies behind.
@@ -12,6 +12,7 @@ from reefgame.content.schema.level import Level
 from systems.view.context import ensure_context
 from systems.view.draw_contact import DrawContact
 from systems.view.draw_fish import DrawFish
+from systems.view.draw_food import DrawFood
 from systems.view.draw_ground import DrawGround
 from systems.view.draw_motes import DrawMotes
 from systems.view.draw_rocks import DrawRocks
@@ -75,6 +76,7 @@ class Scene:
         self._rubble = DrawRubble(world.terrain, self._look.sun(), defines)
         self._water = DrawWater(defines)
         self._fish = DrawFish(world.species, world.library)
+        self._food = DrawFood()
         self._motes = DrawMotes(self.quality.motes)
 
     def draw(self, camera: Camera, alpha: float, width: int, height: int, seconds: float) -> None:
@@ -95,6 +97,7 @@ class Scene:
             *(self._world.population, camera, alpha, seconds, pixels, self._look.visibility),
             aspect=aspect,
         )
+        self._food.draw(self._world.food, camera, alpha, self._world.clock.now)
         self._motes.draw()
         stop_drawing()
 
@@ -109,6 +112,7 @@ class Scene:
                 self._contact,
                 self._water,
                 self._fish,
+                self._food,
                 self._motes,
             ),
         ):

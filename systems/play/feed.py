@@ -346,7 +346,7 @@ class Feed:
         now, count, food = self.clock.now, self.population.count, self.food.count
         if count > len(self._held):
             self._room(2 * count)
-        larder = self._larder()
+        larder = self.larder()
         if food:
             drift_all(self.terrain, int(self.clock.seed[0]), now, *larder, food)
         mouths, places = self._mouths(), self.population.index.places
@@ -362,7 +362,8 @@ class Feed:
         columns = [getattr(fish if name in fish.columns else mind, name) for name in Mouths._fields]
         return Mouths(*columns)
 
-    def _larder(self) -> Larder:
+    def larder(self) -> Larder:
+        """Return the columns of food and patches; they go stale when either grows."""
         food, patches = self.food, self.patches
         columns = [
             getattr(food if name in food.columns else patches, name) for name in Larder._fields

@@ -26,7 +26,9 @@ HIDDEN: Final = 3.0
 """Visibilities at which water hides everything."""
 RECORD: Final = 20
 """Numbers in an instance record: origin, length; quaternion; shapes last and now, blend, warp's weight; warp's shapes,
-species, fin phase; tint, shine."""
+species, fin phase; tint, shine and gape."""
+GAPES: Final = 64
+"""Steps of an opening mouth: 2 n is added to the shine, which is 1 at most, where n of them are open."""
 LEVELS: Final = 3
 CARD: Final = 2
 """The coarsest level: its fishes are too small to show how they turn within a tick."""
@@ -69,6 +71,7 @@ class Drawn(NamedTuple):
     warp_to: Int32s
     warp_weight: Float64s
     last_warp_weight: Float64s
+    gape: Float64s
 
 
 def view_of(camera: Camera, height: float, aspect: float, visibility: float) -> View:
@@ -197,20 +200,20 @@ def select(
         else:
             quaternion(fish.rotation[i], out[4:8])
         write_shape(fish, i, alpha, out)
-        gloss = shine[fish.species[i]]
+        gloss = shine[fish.species[i]] + 2.0 * floor(GAPES * fish.gape[i] + 0.5)
         write_manner(fish.id[i], fish.length[i], gloss, seconds, level < CARD, out)
 
 
 def drawn(population: Population) -> Drawn:
     """Return the columns of `population` that are drawn; they go stale when it grows."""
-    fish, motor = population.fish, population.motor
-    columns = [getattr(fish if name in fish.columns else motor, name) for name in Drawn._fields]
-    return Drawn(*columns)
+    tables = (population.fish, population.motor, population.mind)
+    owners = (next(t for t in tables if name in t.columns) for name in Drawn._fields)
+    return Drawn(*(getattr(t, name) for t, name in zip(owners, Drawn._fields, strict=True)))
 
 
 @dataclass
 class Culling:
-    """Chooses and describes what is drawn. Reads `FishTable` and `MotorTable`; writes its own scratch only."""
+    """Chooses and describes what is drawn. Reads fishes, motors and minds; writes its own scratch only."""
 
     shine: Float64s
     "of each species' skin, (species,)"

@@ -8,7 +8,7 @@ import pytest
 from components.food import GONE, in_stomach
 from components.mind import FOOD
 from components.senses import FISH_GRAMS, SWALLOWED
-from systems.play.feed import OPEN, SUCK_TICKS, drift_some
+from systems.play.feed import OPEN, SUCK_TICKS, Feed, drift_some
 
 if TYPE_CHECKING:
     from tests.play.conftest import Sea, Table
@@ -187,22 +187,23 @@ def test_hunters_do_not_graze_and_what_is_eaten_up_stays_away(table: "Table") ->
 
 def test_food_drifts_inside_its_ball_at_its_patchs_pace(sea: "Sea") -> None:
     world = sea()
-    before = world.food.live("position").copy()
+    food, number = world.food, world.food.count
+    before = food.position[:number].copy()
     for _ in range(600):
         world.tick()
-        steps = world.food.live("position") - world.food.live("last_position")
+        steps = food.position[:number] - food.last_position[:number]
         assert np.allclose(steps, [0.3 / 60, 0.0, 0.1 / 60]) or np.any(np.all(steps == 0.0, axis=1))
-    place = world.food.live("position")
+    place = food.position[:number]
     assert np.linalg.norm(place - world.patches.around[0], axis=1).max() < 1.02
     assert np.linalg.norm(place - before, axis=1).min() > 0.0
 
 
 def test_food_drifts_alike_on_one_thread_and_on_all(sea: "Sea", table: "Table") -> None:
     world, other = table.world, sea()
-    serial = next(s for s in other.systems if type(s) is type(table.feed))
+    serial = next(system for system in other.systems if isinstance(system, Feed))
     for now in range(200):
         table.tick()
-        larder = serial._larder()  # type: ignore[attr-defined]
+        larder = serial.larder()
         drift_some(other.terrain, 3, now, larder, 0, 9)
         drift_some(other.terrain, 3, now, larder, 9, 20)
     for name in world.food.columns:

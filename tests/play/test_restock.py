@@ -77,9 +77,9 @@ def test_who_is_watched_all_the_time_comes_after_half_a_minute_all_the_same(sea:
 def test_the_newborn_are_hungry_and_ready_in_every_degree(sea: "Sea") -> None:
     world = sea(fishes="{species: sardine, count: 200, around_m: [4, 0, -5], within_m: 3}")
     mind, senses = world.population.mind, world.senses
-    eaten = mind.live("eaten") / senses.appetite[0]
-    since = -mind.live("ate_at") / senses.digestion[0]
-    mated = -mind.live("mated_at") / senses.breeding[0]
+    eaten = mind.eaten[:200] / senses.appetite[0]
+    since = -mind.ate_at[:200] / senses.digestion[0]
+    mated = -mind.mated_at[:200] / senses.breeding[0]
     for share in (eaten, since, mated):
         assert share.min() >= 0.0
         assert share.max() <= 1.0

@@ -79,6 +79,33 @@ def test_the_fishes_are_in_the_picture(scene: Scene, world: World, camera: Camer
     assert (drawn(scene, camera) == with_fishes).all()
 
 
+def test_food_is_in_the_picture_while_it_is_in_the_water(scene: Scene, world: World) -> None:
+    food, middle = world.food, world.patches.around[0]
+    camera = camera_towards(middle + np.array([-1.5, 0.0, 0.0]), middle)
+    before = world.snapshot()
+    with_food = drawn(scene, camera)
+    food.returns[: food.count] = world.clock.now + 1
+    without = drawn(scene, camera)
+    world.restore(before)
+    changed = difference(with_food, without) > 8
+    assert 20 < changed.sum() < 0.1 * changed.size
+
+
+def test_an_open_mouth_changes_the_head_alone(scene: Scene, world: World) -> None:
+    fish, mind = world.population.fish, world.population.mind
+    forward, dorsal = fish.rotation[0, :, 0], fish.rotation[0, :, 1]
+    nose = fish.position[0] + 0.05 * forward
+    camera = camera_towards(nose + 0.35 * np.cross(forward, dorsal), nose)
+    before = world.snapshot()
+    shut = drawn(scene, camera)
+    mind.gape[0] = 1.0
+    wide = drawn(scene, camera)
+    world.restore(before)
+    changed = difference(wide, shut) > 20
+    assert 10 < changed.sum() < 0.1 * changed.size
+    assert (drawn(scene, camera) == shut).all()
+
+
 def test_fishes_stand_between_two_ticks(scene: Scene, world: World, camera: Camera) -> None:
     before = world.snapshot()
     fish = world.population.fish

@@ -9,6 +9,7 @@ in vec2 skin_at;
 flat in float skin_layer;
 flat in vec4 tint;
 flat in float size;          // length of the fish [m]
+in float inside;             // of the mouth, 0 to 1
 out vec4 colour;
 
 #ifdef CLOSE
@@ -72,6 +73,8 @@ void main() {
     float glints = smoothstep(8., 70., seen);
     float shine = tint.w;
     vec3 film = .5 + .5 * cos(vec3(0., 1.6, 3.4) + 7. * facing + 5. * skin_at.y);   // thin layers of guanine
+    shine *= 1. - inside;
+    albedo = mix(albedo, vec3(.07, .018, .015), inside);
     vec3 lit = albedo * light * (1. - .74 * shine);
     lit += around * mix(vec3(.05), (.04 + 1.25 * albedo) * mix(vec3(1.), .62 + .76 * film, .6), shine) * (shine * .95 + rim * (.15 + .35 * shine));
     lit += SUN_COLOUR * sun.w * min(light.g, 1.6) * (pow(glint, 18.) * (.07 + .42 * shine) * (.35 + .65 * glints) + pow(glint, 120.) * (.22 + 1.3 * shine) * glints);

@@ -5,7 +5,7 @@ layout(location = 1) in vec4 place;     // origin [m], w length [m]
 layout(location = 2) in vec4 turn;      // quaternion from body to world axes
 layout(location = 3) in vec4 shown;     // shape a tick ago, shape now, blend, weight of the warp's offset
 layout(location = 4) in vec4 warp;      // shape that the warp leaves, enters; species; phase of the paired fins [rad]
-layout(location = 5) in vec4 shade;     // tint, w shine
+layout(location = 5) in vec4 shade;     // tint, w shine + 2 * how many of GAPES steps the mouth is open
 
 uniform sampler2D shapes;    // nodes [BL], 23 texels a shape, SHAPES_A_ROW shapes a row
 uniform sampler2D weights;   // 12 texels a vertex, VERTICES_A_ROW vertices a row
@@ -17,6 +17,23 @@ out vec2 skin_at;
 flat out float skin_layer;
 flat out vec4 tint;
 flat out float size;         // length of the fish [m]
+out float inside;            // of the mouth, 0 to 1
+
+const float GAPES = 64.;     // as in systems/view/cull.py
+#if !defined(CARD) && !defined(FINS)
+const vec3 MOUTH = vec3(.085, .38, .038);   // how far back it reaches along the body, around it, how far jaws part [BL]
+
+// Part the jaws of a body's vertex by `gape`, 0 to 1: lips up, down and forward, what lies between them back and dark.
+vec3 parted(float gape) {
+    vec2 at = (skin_at - .004) / vec2(.992, .480);   // BODY_BOX of fish_surface.py
+    float front = clamp(1. - at.x / MOUTH.x, 0., 1.) * gape;
+    float across = clamp((at.y - .5) / MOUTH.y * 2., -1., 1.);
+    float hollow = 1. - across * across;
+    inside = front * smoothstep(.15, .75, hollow);
+    float jaw = across > 0. ? -1.25 * across : -.6 * across;
+    return front * vec3(.014 * (1. - 3. * hollow), MOUTH.z * jaw, 0.);
+}
+#endif
 
 ivec2 shape_at(float number) {
     int row = int(number + .5);
@@ -50,10 +67,15 @@ void main() {
         sum += cos(angle) * along_u + sin(angle) * along_v;
         upright = cos(angle) * along_v - sin(angle) * along_u;
     }
+    float steps = floor(.5 * shade.w);
+    inside = 0.;
+#if !defined(CARD) && !defined(FINS)
+    if (steps > 0.) sum += parted(steps / GAPES);
+#endif
     world = place.xyz + place.w * turned(sum);
     normal = turned(upright);
     skin_layer = warp.z;
-    tint = shade;
+    tint = vec4(shade.xyz, shade.w - 2. * steps);
     size = place.w;
     gl_Position = view_projection * vec4(world, 1.);
 }

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from components.arrays import Float64s
 from components.camera import Camera, camera_at
 from components.fish import Population
-from systems.view.cull import CARD, Culling, level_at, view_of
+from systems.view.cull import CARD, GAPES, Culling, level_at, view_of
 
 
 def placed(positions: Float64s, length: float = 0.2) -> Population:
@@ -112,6 +112,16 @@ def test_records_blend_place_and_warp_between_ticks(ahead: Camera) -> None:
     assert record[4:8] == pytest.approx([0.0, 0.0, 0.0, 1.0])
     assert record[8:15] == pytest.approx([6.0, 7.0, 0.25, 0.7, 3.0, 5.0, 1.0])
     assert record[19] == pytest.approx(0.9)
+
+
+def test_a_record_says_how_wide_the_mouth_is_open_beside_the_shine(ahead: Camera) -> None:
+    population = placed(np.array([[1.0, 0.1, -5.0]]))
+    population.mind.gape[0] = 0.25
+    culling = Culling(np.array([0.9]))
+    culling(population, view_of(ahead, 720, 1.5, 30.0), 1.0, 0.0)
+    packed = float(culling.records(0)[0, 19])
+    assert packed // 2 == GAPES / 4
+    assert packed % 2 == pytest.approx(0.9, abs=1e-5)
 
 
 def test_quaternions_turn_as_the_rotations_do(ahead: Camera) -> None:
