@@ -103,6 +103,8 @@ class MindTable(Table):
     "tick at which a wanderer picks a new direction, (capacity,)"
     wander: Float64s = column(np.float64, 3)
     "unit direction of a wanderer, world axes, (capacity, 3)"
+    side: Int8s = column(np.int8)
+    "to which it swings round the obstacle before it: 1 left of the way out, -1 right, 0 for none, (capacity,)"
     memory: Int8s = column(np.int8, fill=-1)
     "the one intention that was interrupted and is remembered, -1 for none, (capacity,)"
     memory_focus: Int64s = column(np.int64, fill=-1)

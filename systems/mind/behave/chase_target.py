@@ -45,7 +45,7 @@ def chase_target(
     aim = sqrt(x * x + y * y + z * z) + 1e-9
     facing = (x * crowd.hx[me] + y * crowd.hy[me] + z * crowd.hz[me]) / aim
     drift = max((vx * x + vy * y + vz * z) / aim, 0.0)
-    wanted = drift + (_CLOSING * (0.5 + eagerness)) * max(far - 0.5 * length, 0.0)
+    wanted = drift + (_CLOSING * (0.5 + eagerness)) * max(far - 0.5 * length, -0.25 * length)
     wanted = min(wanted, 1.2 * length * speeds[1 + int(eagerness > 0.5)])
     if facing < _TURN_AHEAD and far < 3.0 * length:
         wanted *= max(facing, 0.0)

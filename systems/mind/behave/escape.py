@@ -89,7 +89,7 @@ def find_shelter(
 @inlined
 def _flee(
     crowd: Crowd, me: int, predators: Int64s, found: int, out: Float64s
-) -> tuple[float, float]:
+) -> tuple[float, float, float]:
     """Write the sum of the ways out, weighted by nearness, (3,); return room, side and speed of the nearest.
 
     The room is in its own lengths, less the way that it comes in a moment; the side, left positive, is that of
@@ -187,7 +187,7 @@ def escape(
             )
             return 0, 0.5, 0.2
     elif number > 0.0:
-        share = _JOIN * (1.0 - near) - _SCATTER * max(near - 0.6, 0.0)
+        share = _JOIN * (1.0 - near) - _SCATTER * max(near - 0.4, 0.0)
         _pull(share, shoal[0], shoal[1], shoal[2], out)
     if room < _UPON:
         return 2, START, 1.2

@@ -41,9 +41,11 @@ _LENGTHEN: Final = 1.5
 _FLATTEN: Final = 0.8
 """How much less fishes shun each other above and below than beside."""
 _CLOSE_RANKS: Final = 0.3
-_SPLIT: Final = 3.0
+_SPLIT: Final = 4.0
 _BACK: Final = 0.9
 _FLAT: Final = 0.6
+_DEAF: Final = 1.0
+"""How much less a fish heeds its neighbours with a predator upon it, so that the school parts."""
 _BERTH: Final = 1.5
 _BERTH_ROOM: Final = 0.8
 _STANDING: Final = 0.1
@@ -135,9 +137,10 @@ def split(crowd: Crowd, me: int, danger: Float64s, out: Float64s) -> float:
     ahead = max(along / far, 0.0)
     push = _SPLIT * near * (1.0 if along > 0.0 else max(1.0 + along / far, 0.0)) / aside
     back = _SPLIT * _BACK * near * (1.0 - ahead)
-    out[0] += push * a - back * u
-    out[1] += push * b - back * v
-    out[2] += push * c - back * w
+    heard = 1.0 - _DEAF * near
+    out[0] = heard * out[0] + push * a - back * u
+    out[1] = heard * out[1] + push * b - back * v
+    out[2] = heard * out[2] + push * c - back * w
     return near
 
 
@@ -206,7 +209,9 @@ def school(
         x += pull * shoal[0] + _SHOAL_HEADING * shoal[3]
         y += pull * shoal[1] + _SHOAL_HEADING * shoal[4]
         z += pull * shoal[2] + _SHOAL_HEADING * shoal[5]
-        along = _behind(crowd, me, shoal, number, spacing) if found > 0 else 1.0
+        along = _behind(crowd, me, shoal, number, spacing)
+        if found == 0:
+            along = 1.0 if along > 0.0 else -1.0
     dx, dy = place_x - crowd.x[me], place_y - crowd.y[me]
     far = sqrt(dx * dx + dy * dy) + 1e-9
     pull = _ROAM * min(far / _ROAM_FADES, 1.0) / far

@@ -1,6 +1,6 @@
 """Wandering: swim at leisure to one place after another (papers/004).
 
-A place is drawn by chance: beside a home point of the species where there are any, beside a rock where there are
+A place is drawn by chance: at the nearest home point of the species where there are any, beside a rock where there are
 rocks, else anywhere within reach. Pacifists come to look at the submarine, stand before it and go round it; predators
 measure it from farther off. Then they lose interest.
 """
@@ -23,6 +23,7 @@ LOOK_TICKS: Final = 300
 """[ticks] for which a curious fish stands and looks before it goes round."""
 
 _STRAY: Final = 4.0
+_AT_HOME: Final = 1.2
 _LIFT: Final = 0.7
 _SLOPE: Final = 0.3
 _LEAP: Final = 12.0
@@ -34,18 +35,15 @@ _BRISK_FROM: Final = 0.75
 
 
 @row
-def _near_home(terrain: Terrain, kind: int, u: float) -> int:
-    """Return one of the species' home points, drawn by u in [0, 1), or -1."""
-    homes = 0
+def _nearest_home(terrain: Terrain, kind: int, x: float, y: float) -> int:
+    """Return the home point of the species that is nearest to (x, y), or -1."""
+    best, nearest = -1, 0.0
     for k in range(len(terrain.home)):
-        homes += terrain.home_species[k] == kind
-    wanted = int(u * homes)
-    for k in range(len(terrain.home)):
-        if terrain.home_species[k] == kind:
-            if wanted == 0:
-                return k
-            wanted -= 1
-    return -1
+        dx, dy = terrain.home[k, 0] - x, terrain.home[k, 1] - y
+        square = dx * dx + dy * dy
+        if terrain.home_species[k] == kind and (best < 0 or square < nearest):
+            best, nearest = k, square
+    return best
 
 
 @row
@@ -56,9 +54,9 @@ def choose_place(
     u, v = uniform(seed, WANDER, 4 * now, identity), uniform(seed, WANDER, 4 * now + 1, identity)
     a = 2.0 * uniform(seed, WANDER, 4 * now + 2, identity) - 1.0
     b = 2.0 * uniform(seed, WANDER, 4 * now + 3, identity) - 1.0
-    home = _near_home(terrain, kind, u)
+    home = _nearest_home(terrain, kind, x, y)
     if home >= 0:
-        tx, ty = terrain.home[home, 0] + _STRAY * a, terrain.home[home, 1] + _STRAY * b
+        tx, ty = terrain.home[home, 0] + _AT_HOME * a, terrain.home[home, 1] + _AT_HOME * b
     elif len(terrain.rock_centre) > 0 and v < 0.75:
         rock = int(u * len(terrain.rock_centre))
         room = _STRAY + max(terrain.rock_radii[rock, 0], terrain.rock_radii[rock, 1])
