@@ -1,6 +1,7 @@
 """What every routine promises, wherever fishes are and even if they are all in one place."""
 
 from types import ModuleType
+from typing import TypeAlias
 
 import numpy as np
 from hypothesis import given, settings
@@ -18,10 +19,12 @@ from systems.mind.behave.school import heed, school
 from systems.mind.behave.wander import visit
 
 TANG = np.array([0.85, 1.64, 2.44])
+Place: TypeAlias = tuple[float, float, float]
 OFFSETS = st.one_of(
-    st.just((0.0, 0.0, 0.0)), st.tuples(*[st.floats(-3.0, 3.0, allow_subnormal=False)] * 3)
+    st.just((0.0, 0.0, 0.0)),
+    st.tuples(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0), st.floats(-3.0, 3.0)),
 )
-WAYS = st.sampled_from([(1.0, 0, 0), (-1.0, 0, 0), (0, -0.8, 0.6), (0.6, 0, -0.8)])
+WAYS = st.sampled_from([(1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, -0.8, 0.6), (0.6, 0.0, -0.8)])
 SHARES = st.floats(0.0, 1.0, allow_subnormal=False)
 
 
@@ -36,8 +39,8 @@ def check(out: Float64s, demand: tuple[int, float, float]) -> None:
 @given(OFFSETS, OFFSETS, WAYS, WAYS, SHARES, st.integers(0, 5), st.integers(0, 4000))
 @settings(max_examples=60, deadline=None)
 def test_demands_are_finite_and_in_range(
-    tank: ModuleType, one: tuple[float, ...], two: tuple[float, ...], way: tuple[float, ...],
-    other_way: tuple[float, ...], share: float, phase: int, now: int,
+    tank: ModuleType, one: Place, two: Place, way: Place,
+    other_way: Place, share: float, phase: int, now: int,
 ) -> None:  # fmt: skip
     scene = tank.Tank(
         np.array([(0.0, 0, 0), one, two]) - np.array([0, 0, 5.0]),
@@ -48,23 +51,26 @@ def test_demands_are_finite_and_in_range(
     crowd, out = scene.crowd, scene.out
     crowd.speed[:] = (0.3 * share, 0.4, 2.0 * share)
     near, square = scene.nearest(0, np.arange(3))
-    offset, velocity = np.array(one), 0.4 * np.array(other_way)
-    check(out, chase_target(crowd, 0, TANG, *offset, *velocity, share, out))
+    offset, (x, y, z) = np.array(one), one
+    u, v, w = other_way
+    check(out, chase_target(crowd, 0, TANG, x, y, z, u, v, w, share, out))
     for hunts in (False, True):
-        *demand, gape = eat(crowd, 0, TANG, *offset, *velocity, 0.28, 0.35, share, hunts, now, out)
-        check(out, tuple(demand))
+        gear, urgency, throttle, gape = eat(
+            crowd, 0, TANG, x, y, z, u, v, w, 0.28, 0.35, share, hunts, now, out
+        )
+        check(out, (gear, urgency, throttle))
         assert 0.0 <= gape <= 1.0
     check(out, avoid_fish(crowd, 0, 1, 1.2 * share, out))
     check(out, avoid_submarine(crowd, 0, offset, 1.2 * share, out))
-    side = choose_side(*way[:2], np.array(other_way), 0, 7)
-    check(out, avoid_static_obstacle(*way, np.array(other_way), share, side, out))
+    side = choose_side(way[0], way[1], np.array(other_way), 0, 7)
+    check(out, avoid_static_obstacle(way[0], way[1], way[2], np.array(other_way), share, side, out))
     check(out, visit(crowd, 0, TANG, offset, 3.5, now, out))
     shoal, danger = np.array([*one, *way]), np.zeros(7)
     check(
         out,
         escape(crowd, 0, near, 2, offset, share, np.array(two), phase > 2, shoal, 1.0, 3, now, out),
     )
-    heed(*two, *(2.0 * share * np.array(way)), 1.1, danger)
+    heed(two[0], two[1], two[2], share * u, share * v, share * w, 1.1, danger)
     check(
         out,
         school(
@@ -73,8 +79,10 @@ def test_demands_are_finite_and_in_range(
         ),
     )  # fmt: skip
     for male in (False, True):
-        *demand, after = mate(crowd, 0, 1, male, min(phase, 4), 0, phase % 3, TANG, now, -1.0, out)
-        check(out, tuple(demand))
+        gear, urgency, throttle, after = mate(
+            crowd, 0, 1, male, min(phase, 4), 0, phase % 3, TANG, now, -1.0, out
+        )
+        check(out, (gear, urgency, throttle))
         assert after in (0, min(phase, 4), min(phase, 4) + 1, MATED, JILTED)
 
 

@@ -1,6 +1,7 @@
 """Avoiding: round walls and out of corners, braking head-on; past fishes and the submarine; never by a fast start."""
 
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -35,7 +36,7 @@ def swim(tank: ModuleType, walls: Float64s, way: tuple[float, float], seconds: i
         normal = np.ascontiguousarray(walls[nearest, :3])
         side[0] = choose_side(ahead[0], ahead[1], normal, side[0], 0)
         found: tuple[int, float, float] = avoid_static_obstacle(
-            *ahead, normal, min(max(near, 0.0), 1.0), side[0], scene.out
+            ahead[0], ahead[1], ahead[2], normal, min(max(near, 0.0), 1.0), side[0], scene.out
         )
         return found
 
@@ -75,7 +76,7 @@ def test_head_on_it_brakes_and_backs_up_when_too_near() -> None:
     out, normal = np.zeros(3), np.array([-1.0, 0.0, 0.0])
 
     def throttle(near: float, hx: float, hy: float) -> float:
-        return float(avoid_static_obstacle(hx, hy, 0.0, normal, near, 1.0, out)[2])
+        return float(avoid_static_obstacle(hx, hy, 0.0, normal, near, 1, out)[2])
 
     assert throttle(0.1, 1.0, 0.0) == 1.0
     assert 0.0 < throttle(0.5, 1.0, 0.0) < 0.8
@@ -94,7 +95,7 @@ def test_a_side_once_chosen_is_kept() -> None:
 
 def test_obstacles_and_fishes_are_no_matter_of_life_and_death(tank: ModuleType) -> None:
     out, normal = np.zeros(3), np.array([-1.0, 0.0, 0.0])
-    assert avoid_static_obstacle(1.0, 0.0, 0.0, normal, 1.0, 1.0, out)[1] < MORTAL
+    assert avoid_static_obstacle(1.0, 0.0, 0.0, normal, 1.0, 1, out)[1] < MORTAL
     scene = pair(tank, (0.5, 0.0, 0.0), (-1.0, 0.0, 0.0))
     assert avoid_fish(scene.crowd, 0, 1, 0.0, scene.out)[1] < MORTAL
     assert avoid_submarine(scene.crowd, 0, normal, 0.0, out)[1] < MORTAL
@@ -102,7 +103,7 @@ def test_obstacles_and_fishes_are_no_matter_of_life_and_death(tank: ModuleType) 
 
 def pair(
     tank: ModuleType, offset: tuple[float, float, float], way: tuple[float, float, float]
-) -> object:
+) -> Any:
     return tank.Tank(
         np.array([(0.0, 0, -5), np.add(offset, (0, 0, -5))]), np.array([(1.0, 0, 0), way]),
         np.array([0.25, 0.25]), np.array([TANG, TANG]),

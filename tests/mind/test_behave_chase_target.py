@@ -20,9 +20,10 @@ def chase(tank: ModuleType, way: tuple[float, float, float], eagerness: float) -
     )
 
     def chaser(t: object, me: int) -> tuple[int, float, float]:
-        away, velocity = scene.place[1] - scene.place[0], scene.way[1] * scene.speed[1]
+        x, y, z = scene.place[1] - scene.place[0]
+        u, v, w = scene.way[1] * scene.speed[1]
         found: tuple[int, float, float] = chase_target(
-            scene.crowd, me, scene.speeds[me], *away, *velocity, eagerness, scene.out
+            scene.crowd, me, scene.speeds[me], x, y, z, u, v, w, eagerness, scene.out
         )
         return found
 

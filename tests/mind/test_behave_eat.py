@@ -30,8 +30,23 @@ def test_a_fish_reaches_what_drifts_and_is_slow_when_it_does(
 
     def eater(t: object, me: int) -> tuple[int, float, float]:
         away = meal - scene.place[0]
+        x, y, z = away
         gear, urgency, throttle, gape = eat(
-            scene.crowd, 0, TANG, *away, 0.0, 0.0, 0.0, NOSE, 0.35, 0.8, False, scene.now, scene.out
+            scene.crowd,
+            0,
+            TANG,
+            x,
+            y,
+            z,
+            0.0,
+            0.0,
+            0.0,
+            NOSE,
+            0.35,
+            0.8,
+            False,
+            scene.now,
+            scene.out,
         )
         gap = np.linalg.norm(away - NOSE * 0.25 * scene.way[0])
         if gape > 0.5 and gap < 0.35 * 0.25:
@@ -69,9 +84,11 @@ def hunt(tank: ModuleType, seed: int, flees: bool) -> tuple[bool, float]:
         return found
 
     def hunter(t: object, me: int) -> tuple[int, float, float]:
-        away, velocity = scene.place[1] - scene.place[0], scene.way[1] * scene.speed[1]
+        away = scene.place[1] - scene.place[0]
+        x, y, z = away
+        u, v, w = scene.way[1] * scene.speed[1]
         gear, urgency, throttle, gape = eat(
-            scene.crowd, 0, BARRACUDA, *away, *velocity, NOSE, 0.2, 0.9, True, scene.now, scene.out
+            scene.crowd, 0, BARRACUDA, x, y, z, u, v, w, NOSE, 0.2, 0.9, True, scene.now, scene.out
         )
         gap = np.linalg.norm(away - NOSE * 1.1 * scene.way[0])
         caught[0] |= bool(gape > 0.5 and gap < 0.2 * 1.1)

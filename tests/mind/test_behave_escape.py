@@ -109,12 +109,13 @@ def test_shelter_is_home_or_the_far_side_of_a_rock(pond: ModuleType) -> None:
     terrain, out = pond.make_terrain(1), np.zeros(3)
     rock = terrain.rock_centre[4]
     here = rock + np.array([terrain.rock_radii[4].max() + 0.5, 0, 0.5])
-    assert find_shelter(terrain, 1, *here, 3.0, 0.0, 8.0, out)
+    x, y, z = here
+    assert find_shelter(terrain, 1, x, y, z, 3.0, 0.0, 8.0, out)
     hidden, predator = here + out, here + np.array([3.0, 0, 0])
     nearest = np.argmin(np.linalg.norm((terrain.rock_centre - hidden)[:, :2], axis=1))
     centre = terrain.rock_centre[nearest]
     assert (hidden - centre)[:2] @ (predator - centre)[:2] < 0.0
     home = here + np.array([0, 1.0, 0.2])
-    assert find_shelter(terrain.with_homes([(tuple(home), 1)]), 1, *here, 3.0, 0.0, 8.0, out)
+    assert find_shelter(terrain.with_homes([(tuple(home), 1)]), 1, x, y, z, 3.0, 0.0, 8.0, out)
     assert np.allclose(out, home - here)
-    assert not find_shelter(terrain, 1, *here, 3.0, 0.0, 0.1, out)
+    assert not find_shelter(terrain, 1, x, y, z, 3.0, 0.0, 0.1, out)

@@ -1,6 +1,7 @@
 """Who finds the water too dark goes up, too bright down; at the end of the water along the slope of the ground."""
 
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from systems.mind.behave.leave import leave
 TANG = np.array([0.85, 1.64, 2.44])
 
 
-def at(tank: ModuleType, place: tuple[float, float, float]) -> object:
+def at(tank: ModuleType, place: tuple[float, float, float]) -> Any:
     return tank.Tank(np.array([place]), np.array([[0.8, 0.6, 0]]), np.array([0.25]), TANG[None])
 
 

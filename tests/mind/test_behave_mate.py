@@ -62,8 +62,9 @@ def couple(tank: ModuleType, request: pytest.FixtureRequest) -> Couple:
 
 
 def during(couple: Couple, phase: int) -> Float64s:
-    path = np.array(couple.path)
-    return path[path[:, 0] == phase]
+    path: Float64s = np.array(couple.path)
+    chosen: Float64s = path[path[:, 0] == phase]
+    return chosen
 
 
 def test_a_pair_mates_in_the_four_phases(couple: Couple) -> None:

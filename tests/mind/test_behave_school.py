@@ -1,6 +1,7 @@
 """A school closes ranks, splits round a predator that comes through, and is one again soon after."""
 
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -48,7 +49,9 @@ class Shoal:
         far, alarm = float(np.linalg.norm(away)), 0.0
         self.danger[6] = 0.0
         if far < SIGHT and in_view(*away, *scene.way[me]):
-            heed(*away, *(scene.way[-1] * scene.speed[-1]), 1.1, self.danger)
+            x, y, z = away
+            u, v, w = scene.way[-1] * scene.speed[-1]
+            heed(x, y, z, u, v, w, 1.1, self.danger)
             alarm = min(1.5 / far, 1.0)
         x, _y, _z = scene.place[me]
         found: tuple[int, float, float] = school(
@@ -67,7 +70,8 @@ class Shoal:
 
     def apart(self) -> Float64s:
         place = self.scene.place[:-1]
-        return np.linalg.norm(place[:, None] - place[None], axis=2) + 9.0 * np.eye(NUMBER)
+        apart: Float64s = np.linalg.norm(place[:, None] - place[None], axis=2)
+        return apart + 9.0 * np.eye(NUMBER)
 
     def largest_group(self) -> int:
         """Return how many hang together by gaps of at most a metre."""
@@ -110,7 +114,7 @@ def test_a_school_splits_round_a_predator_and_rejoins(
     assert 0.5 < np.median(shoal.apart().min(axis=1) / shoal.scene.length[:-1]) < 1.5
 
 
-def one(tank: ModuleType) -> object:
+def one(tank: ModuleType) -> Any:
     return tank.Tank(
         np.array([[0.0, 0, -5]]), np.array([[1.0, 0, 0]]), np.array([0.2]), SARDINE[None]
     )
