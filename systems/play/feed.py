@@ -33,6 +33,8 @@ _EAT: Final = int(Intention.EAT)
 _BERTH: Final = 0.03
 _CONFINE_EVERY: Final = 16
 _PIECES: Final = 16
+_SERIAL_BELOW: Final = 8192
+"""Particles that one thread carries sooner than it would wake the others."""
 
 
 class Mouths(NamedTuple):
@@ -346,9 +348,11 @@ class Feed:
         now, count, food = self.clock.now, self.population.count, self.food.count
         if count > len(self._held):
             self._room(2 * count)
-        larder = self.larder()
-        if food:
-            drift_all(self.terrain, int(self.clock.seed[0]), now, *larder, food)
+        larder, seed = self.larder(), int(self.clock.seed[0])
+        if food < _SERIAL_BELOW:
+            drift_some(self.terrain, seed, now, larder, 0, food)
+        else:
+            drift_all(self.terrain, seed, now, *larder, food)
         mouths, places = self._mouths(), self.population.index.places
         senses, busy = self.senses, self._busy
         number = suck_fishes(mouths, count, places, senses, now, self._held, busy, self._swallowed)
