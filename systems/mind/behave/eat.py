@@ -5,7 +5,7 @@ from typing import Final
 
 from components.arrays import Float64s
 from components.kernels import inlined, row
-from systems.mind.behave.chase_target import chase_target
+from systems.mind.behave.chase_target import chase_target, turn_finely
 from systems.mind.behave.pace import BRISKEST, SLOWEST, pace
 from systems.mind.grid import Crowd
 
@@ -27,6 +27,7 @@ _AFTER: Final = 1.6
 _LEAST: Final = 0.25
 _FACING: Final = 0.5
 _BESIDE: Final = 0.1
+_PIVOT: Final = 0.8
 
 
 @inlined
@@ -102,8 +103,10 @@ def eat(
         return gear, urgency, throttle, gape
     out[0], out[1], out[2] = dx + 0.3 * vx, dy + 0.3 * vy, dz + 0.3 * vz
     if facing < _FACING:
+        turn_finely(crowd, me, out)
         throttle = SLOWEST if gap < length else _BESIDE
-        return 0, 0.6, throttle, 0.0
+        return 0, _PIVOT, throttle, 0.0
     drift = vx * hx + vy * hy + vz * hz
+    turn_finely(crowd, me, out)
     gear, throttle = pace(speeds, length, drift + max(_AFTER * gap, _LEAST * length) * facing)
     return gear, 0.5, throttle, gape
