@@ -23,8 +23,10 @@ PANIC: Final = 11
 CURIOSITY: Final = 12
 FOOD_PLACE: Final = 9
 EATEN: Final = 10
-MATED: Final = 11
-RESTOCK: Final = 12
+SEX: Final = 13
+MATED: Final = 14
+RESTOCK: Final = 15
+WHIM: Final = 16
 
 
 @row

@@ -211,39 +211,3 @@ def clearance(
             if d < best:
                 best, bx, by, bz = d, nx, ny, nz
     return best, bx, by, bz
-
-
-@row
-def _rock_hides(terrain: Terrain, rock: int, a: Float64s, b: Float64s) -> bool:
-    """Return whether the segment from a to b meets a rock, a unit sphere in its scaled axes."""
-    u, v, w = to_rock(terrain, rock, a[0], a[1], a[2])
-    s, t, q = to_rock(terrain, rock, b[0], b[1], b[2])
-    ra, rb, rc = (
-        terrain.rock_radii[rock, 0],
-        terrain.rock_radii[rock, 1],
-        terrain.rock_radii[rock, 2],
-    )
-    s, t, q = (s - u) / ra, (t - v) / rb, (q - w) / rc
-    u, v, w = u / ra, v / rb, w / rc
-    along = s * s + t * t + q * q
-    near = min(max(-(u * s + v * t + w * q) / (along + 1e-30), 0.0), 1.0)
-    u, v, w = u + near * s, v + near * t, w + near * q
-    return bool(u * u + v * v + w * w < 1.0)
-
-
-@row
-def sees(terrain: Terrain, a: Float64s, b: Float64s) -> bool:
-    """Return whether nothing of rock or ground stands between the points a and b [m], (3,) each."""
-    for rock in range(len(terrain.rock_centre)):
-        if _rock_hides(terrain, rock, a, b):
-            return False
-    dx, dy, dz = b[0] - a[0], b[1] - a[1], b[2] - a[2]
-    steps = int(2.0 * sqrt(dx * dx + dy * dy) / terrain.cell) + 1
-    for k in range(steps + 1):
-        t = k / steps
-        h = ground_height(
-            terrain.height, terrain.extent, terrain.cell, a[0] + t * dx, a[1] + t * dy
-        )
-        if a[2] + t * dz < h:
-            return False
-    return True

@@ -29,6 +29,8 @@ class Habitat(NamedTuple):
     "[C] by which the surface is warmer in the afternoon than the mean"
     fall: float
     "[C/m] by which temperature falls with depth"
+    visibility: float = 22.0
+    "[m] farthest that anything is seen through the water"
 
 
 STILL: Final = Habitat(0, 0.25, 0.1, 12.0, 26.0, 0.0, 0.15)

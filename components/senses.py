@@ -14,7 +14,9 @@ from components.repertoire import RepertoireLibrary
 from components.species import Species
 
 MOUTH: Final = 0.35
-"""[BL] from the nose at which a wide open mouth sucks in what it eats."""
+"""[BL] from the nose at which a grazer's wide open mouth sucks in what it eats."""
+SNAP: Final = 0.2
+"""[BL] from the nose at which a hunter snaps: farther, and no dodge saved its prey."""
 
 
 FISH_GRAMS: Final = 10_000.0
@@ -46,6 +48,8 @@ class SenseTable(NamedTuple):
     "mean speed in slow, medium and fast gear [BL/s], (S, 3)"
     eats: Int8s
     "1 where the species of the row eats that of the column, (S, S)"
+    hunts: Int8s
+    "1 where it eats some species of the level, (S,)"
     hunted: Int8s
     "1 where some species of the level eats it, (S,)"
     grazes: Int8s
@@ -100,6 +104,7 @@ def sense_table(species: Sequence[Species], library: RepertoireLibrary) -> Sense
         girth=np.array([_girth(kind) for kind in species], np.float64),
         speed=speed,
         eats=_eats(species),
+        hunts=np.max(_eats(species), axis=1, initial=0),
         hunted=np.max(_eats(species), axis=0, initial=0),
         grazes=np.array([kind.temper.grazes for kind in species], np.int8),
         meal=np.array([kind.temper.meal for kind in species], np.float64),
@@ -110,6 +115,6 @@ def sense_table(species: Sequence[Species], library: RepertoireLibrary) -> Sense
         curiosity=np.array([kind.temper.curiosity for kind in species], np.float64),
         bright=np.array([kind.temper.bright for kind in species], np.int8),
         warm=np.array([kind.temper.warm for kind in species], np.int8),
-        mouth=np.array([MOUTH for _ in species], np.float64),
+        mouth=np.array([SNAP if kind.temper.diet else MOUTH for kind in species], np.float64),
         nose=np.array([kind.body.station[1] for kind in species], np.float64),
     )

@@ -14,10 +14,10 @@ from components.ground import (
     rock_clearance,
     rock_distance,
     rock_square,
-    sees,
 )
 from components.landscape import build_terrain, rock_on_ground
 from components.rocks import ROCK_REACH, Rock
+from components.sightline import in_sight, sees
 
 __all__ = [
     "ROCK_REACH",
@@ -29,6 +29,7 @@ __all__ = [
     "ground",
     "ground_height",
     "ground_normal",
+    "in_sight",
     "rock_clearance",
     "rock_distance",
     "rock_on_ground",

@@ -55,7 +55,7 @@ def schedule(world: "World") -> tuple[System, ...]:
     senses = world.senses
     return (
         Pilot(world.submarine, world.commands, terrain),
-        Think(fishes, senses, terrain, world.submarine, clock),
+        Think(fishes, senses, terrain, world.submarine, clock, world.food, world.habitat),
         Bound(fishes, senses, terrain),
         Control(fishes, world.library, clock),
         Move(fishes, world.library, terrain, clock),

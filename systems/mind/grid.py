@@ -2,10 +2,8 @@
 
 The plan is divided into square columns, each column into layers as high as a cell is wide. Fishes are counted into
 layers, then into columns, so that a column's fishes lie together, the deeper the later; what minds look at is copied
-in that order. What results may not depend on the order within a cell: it follows the rows, and rows move.
+in that order. Within a cell they stand by id, so nothing that minds see depends on the order of rows.
 
-A shoal is what a fish sees of many fishes far away: their number, mean place and mean heading over a square of the
-plan, summed in whole numbers so that the order of summation cannot matter.
 """
 
 from math import ceil, sqrt
@@ -18,10 +16,11 @@ from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.fish import Population
 from components.ground import Terrain
 from components.kernels import inlined, loop, row
+from components.mind import Intention
 from components.senses import SenseTable
 
-REACH: Final = 1.8
-"""Body lengths within which fishes tell their neighbours apart, however crowded."""
+REACH: Final = 2.9
+"""Body lengths within which fishes tell their neighbours apart in a crowd: a dozen in a school."""
 
 PIECES: Final = 64
 """Pieces of a parallel loop over fishes."""
@@ -29,12 +28,12 @@ PIECES: Final = 64
 SERIAL_BELOW: Final = 500
 """Fishes below which one thread is quicker than two."""
 
-FIXED: Final = 65536.0
-"""Whole numbers to a metre, or to a unit of heading, in the sums of shoals."""
-
 _FEWEST_COLUMNS: Final = 16
-_MOST_COLUMNS: Final = 256
-_SUMS: Final = 7
+_MOST_COLUMNS: Final = 512
+SUMS: Final = 7
+"""Whole numbers to a shoal."""
+
+_MATE: Final = int(Intention.MATE)
 
 
 class Plan(NamedTuple):
@@ -52,6 +51,8 @@ class Plan(NamedTuple):
     "columns a side of the squares over which shoals are summed"
     squares: int
     "such squares a side"
+    crowded: bool
+    "whether a cell is as small as `REACH` asks; else it is wider, and fishes look as far as it is"
 
 
 class Crowd(NamedTuple):
@@ -77,8 +78,18 @@ class Crowd(NamedTuple):
     "stable id"
     species: Int32s
     "row in the species table"
+    intention: Int8s
+    "the `Intention` of the last thought"
+    phase: Int8s
+    "the `Courtship`"
+    courting: Int64s
+    "stable id of the partner that one who mates attends to, -1 for none"
+    libido: Float64s
+    "0 to 1"
     row: Int32s
     "row in the fishes' tables"
+    place: Int32s
+    "where the fish of a row stands here: the inverse of `row`"
     column: Int32s
     "column of the plan"
     layer: Int32s
@@ -95,13 +106,13 @@ def divide(terrain: Terrain, senses: SenseTable, counts: Int64s) -> Plan:
     mean = sum(int(n) * float(s) for n, s in zip(counts, senses.length, strict=True))
     mean /= max(number, 1)
     side = 2.0 * terrain.radius
-    columns = min(max(number // 4, _FEWEST_COLUMNS), _MOST_COLUMNS)
-    cell = max(side / columns, REACH * mean, 1e-3)
+    widest = side / min(max(number // 4, _FEWEST_COLUMNS), _MOST_COLUMNS)
+    cell = max(widest, REACH * mean, 1e-3)
     columns = ceil(side / cell)
     block = max(1, ceil(float(max(senses.sight, default=1.0)) / cell))
-    return Plan(
-        cell, columns, ceil(terrain.depth / cell) + 1, terrain.radius, block, ceil(columns / block)
-    )
+    squares = ceil(columns / block)
+    layers = ceil(terrain.depth / cell) + 1
+    return Plan(cell, columns, layers, terrain.radius, block, squares, cell > widest)
 
 
 @inlined
@@ -144,108 +155,121 @@ def sort_cells(
         first[column + 1] += 1
 
 
+class Rows(NamedTuple):
+    """The columns of the fishes' tables that a crowd copies."""
+
+    position: Float64s
+    last_position: Float64s
+    rotation: Float64s
+    length: Float64s
+    id: Int64s
+    species: Int32s
+    intention: Int8s
+    phase: Int8s
+    focus: Int64s
+    libido: Float64s
+
+
+def rows_of(population: Population) -> Rows:
+    """Return those columns; stale when the tables grow."""
+    fish, mind = population.fish, population.mind
+    return Rows(
+        fish.position, fish.last_position, fish.rotation, fish.length, fish.id, fish.species,
+        mind.intention, mind.courtship, mind.focus, mind.libido,
+    )  # fmt: skip
+
+
+@inlined
+def _cell_from(place: int, number: int, order: Int32s, keys: Int32s) -> int:
+    """Return the first place from `place` on at which a cell begins."""
+    while 0 < place < number:
+        here, before = order[place], order[place - 1]
+        if keys[here, 0] != keys[before, 0] or keys[here, 1] != keys[before, 1]:
+            return place
+        place += 1
+    return place
+
+
+@row
+def _by_id(begin: int, end: int, order: Int32s, identity: Int64s) -> None:
+    """Order a cell's rows by id: Shell's sort, which is plain insertion for the usual few."""
+    gap = 1
+    while gap < (end - begin) // 9:
+        gap = 3 * gap + 1
+    while gap > 0:
+        for k in range(begin + gap, end):
+            this, at = order[k], k
+            while at >= begin + gap and identity[order[at - gap]] > identity[this]:
+                order[at] = order[at - gap]
+                at -= gap
+            order[at] = this
+        gap //= 3
+
+
+@inlined
+def _copy_one(k: int, i: int, keys: Int32s, rows: Rows, crowd: Crowd) -> None:
+    """Copy the fish of row i to the place k."""
+    x, y, z = rows.position[i, 0], rows.position[i, 1], rows.position[i, 2]
+    crowd.x[k], crowd.y[k], crowd.z[k] = x, y, z
+    crowd.hx[k], crowd.hy[k] = rows.rotation[i, 0, 0], rows.rotation[i, 1, 0]
+    crowd.hz[k] = rows.rotation[i, 2, 0]
+    dx, dy = x - rows.last_position[i, 0], y - rows.last_position[i, 1]
+    dz = z - rows.last_position[i, 2]
+    crowd.speed[k] = 60.0 * sqrt(dx * dx + dy * dy + dz * dz)
+    crowd.length[k], crowd.id[k], crowd.species[k] = rows.length[i], rows.id[i], rows.species[i]
+    crowd.intention[k], crowd.phase[k] = rows.intention[i], rows.phase[i]
+    crowd.courting[k] = rows.focus[i] if rows.intention[i] == _MATE else -1
+    crowd.libido[k] = rows.libido[i]
+    crowd.row[k], crowd.place[i] = i, k
+    crowd.column[k], crowd.layer[k] = keys[i, 0], keys[i, 1]
+
+
 @row
 def _copy(
-    begin: int,
-    end: int,
-    order: Int32s,
-    keys: Int32s,
-    position: Float64s,
-    last_position: Float64s,
-    rotation: Float64s,
-    length: Float64s,
-    identity: Int64s,
-    species: Int32s,
-    crowd: Crowd,
+    begin: int, end: int, number: int, order: Int32s, keys: Int32s, rows: Rows, crowd: Crowd
 ) -> None:
-    for k in range(begin, end):
-        i = order[k]
-        crowd.x[k], crowd.y[k], crowd.z[k] = position[i, 0], position[i, 1], position[i, 2]
-        crowd.hx[k], crowd.hy[k] = rotation[i, 0, 0], rotation[i, 1, 0]
-        crowd.hz[k] = rotation[i, 2, 0]
-        dx = position[i, 0] - last_position[i, 0]
-        dy = position[i, 1] - last_position[i, 1]
-        dz = position[i, 2] - last_position[i, 2]
-        crowd.speed[k] = 60.0 * sqrt(dx * dx + dy * dy + dz * dz)
-        crowd.length[k], crowd.id[k], crowd.species[k] = length[i], identity[i], species[i]
-        crowd.row[k], crowd.column[k], crowd.layer[k] = i, keys[i, 0], keys[i, 1]
+    """Copy the cells that begin within begin..end."""
+    begin, end = _cell_from(begin, number, order, keys), _cell_from(end, number, order, keys)
+    cell = begin
+    while cell < end:
+        after = _cell_from(cell + 1, number, order, keys)
+        if after > cell + 1:
+            _by_id(cell, after, order, rows.id)
+        for k in range(cell, after):
+            _copy_one(k, order[k], keys, rows, crowd)
+        cell = after
 
 
 @loop
-def _copy_all(
-    number: int,
-    order: Int32s,
-    keys: Int32s,
-    position: Float64s,
-    last_position: Float64s,
-    rotation: Float64s,
-    length: Float64s,
-    identity: Int64s,
-    species: Int32s,
-    crowd: Crowd,
-) -> None:
+def _copy_all(number: int, order: Int32s, keys: Int32s, rows: Rows, crowd: Crowd) -> None:
     for piece in numba.prange(PIECES):
         begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
-        _copy(
-            begin, end, order, keys, position, last_position, rotation, length, identity, species,
-            crowd,
-        )  # fmt: skip
-
-
-@row
-def _gather_strip(strip: int, plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
-    """Sum the shoals over one strip of squares, which no other strip touches."""
-    crowd.shoal[:, strip * plan.squares : (strip + 1) * plan.squares] = 0
-    begin = crowd.first[strip * plan.block * plan.columns]
-    end = crowd.first[min((strip + 1) * plan.block, plan.columns) * plan.columns]
-    kind = square = -1
-    number = x = y = z = u = v = w = 0
-    for k in range(begin, end + 1):
-        here = -1
-        if k < end:
-            here = strip * plan.squares + crowd.column[k] % plan.columns // plan.block
-        if k == end or here != square or crowd.species[k] != kind:
-            if number > 0 and schooling[kind] != 0:
-                sums = crowd.shoal[kind, square]
-                sums[0] += number
-                sums[1], sums[2], sums[3] = sums[1] + x, sums[2] + y, sums[3] + z
-                sums[4], sums[5], sums[6] = sums[4] + u, sums[5] + v, sums[6] + w
-            if k == end:
-                return
-            kind, square = crowd.species[k], here
-            number = x = y = z = u = v = w = 0
-        number += 1
-        x, y, z = (
-            x + int(crowd.x[k] * FIXED),
-            y + int(crowd.y[k] * FIXED),
-            z + int(crowd.z[k] * FIXED),
-        )
-        u, v = u + int(crowd.hx[k] * FIXED), v + int(crowd.hy[k] * FIXED)
-        w += int(crowd.hz[k] * FIXED)
-
-
-@row
-def _gather_serially(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
-    for strip in range(plan.squares):
-        _gather_strip(strip, plan, schooling, crowd)
-
-
-@loop
-def _gather_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
-    for strip in numba.prange(plan.squares):
-        _gather_strip(strip, plan, schooling, crowd)
+        _copy(begin, end, number, order, keys, rows, crowd)
 
 
 def make_crowd(capacity: int, columns: int, kinds: int, squares: int) -> Crowd:
     """Return a crowd with room for `capacity` fishes, as many columns in all and squares in all."""
-    whole = [np.zeros(capacity, np.int32) for _ in range(4)]
-    place = [np.zeros(capacity) for _ in range(8)]
+
+    def reals() -> Float64s:
+        return np.zeros(capacity)
+
+    def wholes() -> Int32s:
+        return np.zeros(capacity, np.int32)
+
     return Crowd(
-        *(place[0], place[1], place[2], place[3], place[4], place[5], place[6], place[7]),
-        np.zeros(capacity, np.int64),
-        *(whole[0], whole[1], whole[2], whole[3]),
+        *(reals(), reals(), reals(), reals(), reals(), reals(), reals(), reals()),
+        id=np.zeros(capacity, np.int64),
+        species=wholes(),
+        intention=np.zeros(capacity, np.int8),
+        phase=np.zeros(capacity, np.int8),
+        courting=np.full(capacity, -1, np.int64),
+        libido=reals(),
+        row=wholes(),
+        place=wholes(),
+        column=wholes(),
+        layer=wholes(),
         first=np.zeros(columns + 2, np.int32),
-        shoal=np.zeros((kinds, squares, _SUMS), np.int64),
+        shoal=np.zeros((kinds, squares, SUMS), np.int64),
     )
 
 
@@ -286,16 +310,10 @@ class Grid:
         if reorder:
             population.reorder(self.order[:number].astype(np.int64))
             self._order(population)
-        columns = (
-            self.order, self._keys, fish.position, fish.last_position, fish.rotation, fish.length,
-            fish.id, fish.species, self.crowd,
-        )  # fmt: skip
         if number < SERIAL_BELOW:
-            _copy(0, number, *columns)
-            _gather_serially(self.plan, self.senses.schooling, self.crowd)
+            _copy(0, number, number, self.order, self._keys, rows_of(population), self.crowd)
         else:
-            _copy_all(number, *columns)
-            _gather_all(self.plan, self.senses.schooling, self.crowd)
+            _copy_all(number, self.order, self._keys, rows_of(population), self.crowd)
 
     def _order(self, population: Population) -> None:
         sort_cells(

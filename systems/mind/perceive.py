@@ -1,7 +1,8 @@
-"""What a fish perceives: neighbours, shoals, fishes on a collision course, obstacles, the submarine.
+"""What a fish perceives near by: neighbours, fishes on a collision course, obstacles, the submarine.
 
 Papers/000 section 3.2: a view cone of 300 degrees out to the visibility; papers/004: an antenna of one body length for
-obstacles, lengthened with speed as papers/000 section 6.2 asks. What was perceived lives in scratch and is forgotten.
+obstacles, lengthened with speed as papers/000 section 6.2 asks. At close range the lateral line feels what the eyes do
+not see. What was perceived lives in scratch and is forgotten.
 """
 
 from math import sqrt
@@ -9,18 +10,24 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from components.arrays import Float64s, Int32s, Int64s
+from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.ground import Terrain, clearance
 from components.kernels import inlined
-from systems.mind.grid import FIXED, PIECES, Crowd, Plan
+from systems.mind.grid import PIECES, REACH, Crowd, Plan
 
 NEIGHBOURS: Final = 8
-"""The nearest fishes of its own species that a fish attends to (FINDINGS 5)."""
+"""The nearest of a kind that a fish attends to (FINDINGS 5)."""
+
+LATERAL_LINE: Final = 0.7
+"""[BL] within which a fish feels others that it does not see."""
 
 HORIZON: Final = 1.2
 """[s] ahead in which a collision with another fish is foreseen."""
 
 NO_DANGER: Final = 1e9
+
+MOST_AROUND: Final = 2048
+"""Fishes around a cell that are looked at; of more every second, third, ... so that no crowd hangs the game."""
 
 _BLIND: Final = 0.75
 """Squared cosine of 30 degrees: half the cone behind a fish in which it sees nothing."""
@@ -36,31 +43,65 @@ class Attention(NamedTuple):
     """Scratch of the minds that a piece of the loop runs, one after another: (PIECES, ...) each."""
 
     runs: Int64s
-    "begin and end of the runs of fishes around the cell, (PIECES, 18)"
+    "begin and end of the runs of fishes around the cell, (PIECES, 24)"
+    around_x: Float64s
+    "[m] of the fishes around the cell, (PIECES, MOST_AROUND)"
+    around_y: Float64s
+    "[m], (PIECES, MOST_AROUND)"
+    around_z: Float64s
+    "[m], (PIECES, MOST_AROUND)"
+    around: Int32s
+    "their places in the crowd, (PIECES, MOST_AROUND)"
+    square: Float64s
+    "squared distances [m^2] to them, `NO_DANGER` where out of sight, (PIECES, MOST_AROUND)"
+    seen: Int32s
+    "which of them are seen, (PIECES, MOST_AROUND + 1)"
     near: Int64s
     "places in the crowd of the nearest of one's kind, (PIECES, NEIGHBOURS)"
     distance: Float64s
     "squared distances [m^2] to them, (PIECES, NEIGHBOURS)"
+    hunter_runs: Int32s
+    "begin and end of the runs of hunters around the cell, (PIECES, 32)"
+    hunters: Int64s
+    "places in the crowd of the nearest that eat it, (PIECES, NEIGHBOURS)"
+    hunter_distance: Float64s
+    "squared distances [m^2] to them, (PIECES, NEIGHBOURS)"
+    sought: Int64s
+    "places in the crowd of the nearest prey or mates, (PIECES, NEIGHBOURS)"
+    sought_distance: Float64s
+    "squared distances [m^2] to them, (PIECES, NEIGHBOURS)"
     shoal: Float64s
-    "offset [m] and mean heading of one's kind farther off, (PIECES, 6)"
+    "offset [m] and mean heading of one's kind farther off, (PIECES, 8)"
     normal: Float64s
-    "unit way out of the nearest obstacle ahead, (PIECES, 3)"
+    "unit way out of the nearest obstacle ahead, (PIECES, 8)"
     away: Float64s
-    "offset [m] from the submarine, (PIECES, 3)"
+    "offset [m] from the submarine, (PIECES, 8)"
+    danger: Float64s
+    "the most dangerous predator as `heed` tells of it, (PIECES, 8)"
+    shelter: Float64s
+    "offset [m] to a hiding-place, (PIECES, 8)"
     out: Float64s
-    "wanted direction, (PIECES, 3)"
+    "wanted direction, (PIECES, 8)"
 
 
 def make_attention() -> Attention:
     """Return scratch for all pieces; rows are padded so that threads share no cache line."""
+
+    def reals(width: int) -> Float64s:
+        return np.zeros((PIECES, width))
+
+    def places(width: int) -> Int32s:
+        return np.zeros((PIECES, width), np.int32)
+
+    def ids() -> Int64s:
+        return np.zeros((PIECES, NEIGHBOURS), np.int64)
+
     return Attention(
-        runs=np.zeros((PIECES, 24), np.int64),
-        near=np.zeros((PIECES, NEIGHBOURS), np.int64),
-        distance=np.zeros((PIECES, NEIGHBOURS)),
-        shoal=np.zeros((PIECES, 8)),
-        normal=np.zeros((PIECES, 8)),
-        away=np.zeros((PIECES, 8)),
-        out=np.zeros((PIECES, 8)),
+        np.zeros((PIECES, 24), np.int64),
+        *(reals(MOST_AROUND), reals(MOST_AROUND), reals(MOST_AROUND), places(MOST_AROUND)),
+        *(reals(MOST_AROUND), places(MOST_AROUND + 1)),
+        *(ids(), reals(NEIGHBOURS), places(32), ids(), reals(NEIGHBOURS), ids(), reals(NEIGHBOURS)),
+        *(reals(8), reals(8), reals(8), reals(8), reals(8), reals(8)),
     )
 
 
@@ -72,7 +113,7 @@ def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) ->
 
 
 @inlined
-def _first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
+def first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
     """Return the first place in begin..end whose layer is at least `value`."""
     while begin < end:
         middle = (begin + end) // 2
@@ -92,8 +133,8 @@ def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -
         for y in range(max(cy - 1, 0), min(cy + 2, plan.columns)):
             begin = crowd.first[x * plan.columns + y]
             end = crowd.first[x * plan.columns + y + 1]
-            begin = _first_not_above(crowd.layer, begin, end, layer - 1)
-            end = _first_not_above(crowd.layer, begin, end, layer + 2)
+            begin = first_not_above(crowd.layer, begin, end, layer - 1)
+            end = first_not_above(crowd.layer, begin, end, layer + 2)
             if end > begin:
                 runs[2 * found], runs[2 * found + 1] = begin, end
                 found += 1
@@ -101,23 +142,66 @@ def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -
 
 
 @inlined
-def _keep_nearest(
-    crowd: Crowd, other: int, square: float, near: Int64s, distance: Float64s, found: int
-) -> int:
-    """Insert `other` among the nearest, ordered by distance, then id; return how many are kept."""
-    at = found
-    while at > 0 and (
-        square < distance[at - 1]
-        or (square == distance[at - 1] and crowd.id[other] < crowd.id[near[at - 1]])
-    ):
-        at -= 1
-    if at == NEIGHBOURS:
+def gather(crowd: Crowd, number_of_runs: int, attention: Attention, piece: int) -> int:
+    """Put the places of the fishes around a cell side by side; return how many are looked at."""
+    runs, around = attention.runs[piece], attention.around[piece]
+    x, y, z = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
+    total = 0
+    for run in range(number_of_runs):
+        total += runs[2 * run + 1] - runs[2 * run]
+    step = total // MOST_AROUND + 1
+    number = 0
+    for run in range(number_of_runs):
+        for k in range(runs[2 * run], runs[2 * run + 1], step):
+            if number == MOST_AROUND:
+                break
+            x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
+            around[number] = k
+            number += 1
+    return number
+
+
+@inlined
+def insert(other: int, square: float, near: Int64s, distance: Float64s, found: int) -> int:
+    """Insert `other` among the nearest, (NEIGHBOURS,) each; return how many are kept. The first come stays."""
+    if found == NEIGHBOURS and square >= distance[NEIGHBOURS - 1]:
         return found
-    kept = min(found + 1, NEIGHBOURS)
-    for k in range(kept - 1, at, -1):
-        near[k], distance[k] = near[k - 1], distance[k - 1]
+    at = min(found, NEIGHBOURS - 1)
+    while at > 0 and square < distance[at - 1]:
+        near[at], distance[at] = near[at - 1], distance[at - 1]
+        at -= 1
     near[at], distance[at] = other, square
-    return kept
+    return min(found + 1, NEIGHBOURS)
+
+
+@inlined
+def reach_of(plan: Plan, sight: float, length: float) -> float:
+    """Return how far [m] a fish tells its neighbours apart: in a crowd only so many of its lengths."""
+    return min(sight, plan.cell, REACH * length) if plan.crowded else min(sight, plan.cell)
+
+
+@inlined
+def see_around(
+    crowd: Crowd, me: int, reach: float, number: int, attention: Attention, piece: int
+) -> int:
+    """List who of the `number` around is seen or felt within `reach` [m]; return how many."""
+    xs, ys, zs = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
+    square, seen = attention.square[piece], attention.seen[piece]
+    x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
+    hx, hy, hz = crowd.hx[me], crowd.hy[me], crowd.hz[me]
+    limit = reach * reach
+    felt = LATERAL_LINE * LATERAL_LINE * crowd.length[me] * crowd.length[me]
+    for k in range(number):
+        dx, dy, dz = xs[k] - x, ys[k] - y, zs[k] - z
+        s = dx * dx + dy * dy + dz * dz
+        along = dx * hx + dy * hy + dz * hz
+        perceived = (along >= 0.0) | (along * along < _BLIND * s) | (s < felt)
+        square[k] = s if perceived & (s <= limit) else NO_DANGER
+    many = 0
+    for k in range(number):
+        seen[many] = k
+        many += square[k] < NO_DANGER
+    return many
 
 
 @inlined
@@ -146,86 +230,36 @@ def watch(
     crowd: Crowd,
     me: int,
     schooling: bool,
-    reach: float,
-    number_of_runs: int,
+    target: int,
+    eats: Int8s,
+    many: int,
     attention: Attention,
     piece: int,
 ) -> tuple[int, int, float]:
-    """Find the nearest of one's species within `reach` [m], and who is about to collide.
+    """Find the nearest of one's species among the `many` seen, and who is about to collide.
 
     Write their places in the crowd and squared distances, nearest first; return how many they are,
     the place of the first to collide, -1 for none, and the time to it [s]. A schooler keeps clear of
-    its own kind by separation alone.
+    its own kind by separation alone, nobody of its `target`'s place, and fears who `eats`, (S, S), its kind instead.
     """
-    runs, near, distance = attention.runs[piece], attention.near[piece], attention.distance[piece]
+    near, distance = attention.near[piece], attention.distance[piece]
+    around, square, seen = attention.around[piece], attention.square[piece], attention.seen[piece]
     found, threat, soonest = 0, -1, NO_DANGER
-    x, y, z, kind = crowd.x[me], crowd.y[me], crowd.z[me], crowd.species[me]
-    hx, hy, hz = crowd.hx[me], crowd.hy[me], crowd.hz[me]
-    limit = reach * reach
-    for run in range(number_of_runs):
-        for k in range(runs[2 * run], runs[2 * run + 1]):
-            dx, dy, dz = crowd.x[k] - x, crowd.y[k] - y, crowd.z[k] - z
-            square = dx * dx + dy * dy + dz * dz
-            if square > limit or k == me:
+    kind = crowd.species[me]
+    for at in range(many):
+        k = around[seen[at]]
+        if k == me:
+            continue
+        if crowd.species[k] == kind:
+            found = insert(k, square[seen[at]], near, distance, found)
+            if schooling:
                 continue
-            same = crowd.species[k] == kind
-            if same and schooling and found == NEIGHBOURS and square > distance[NEIGHBOURS - 1]:
-                continue
-            if not in_view(dx, dy, dz, hx, hy, hz):
-                continue
-            if same:
-                found = _keep_nearest(crowd, k, square, near, distance, found)
-                if schooling:
-                    continue
-            when = collision(crowd, me, k)
-            if when < soonest or (
-                threat >= 0 and when == soonest and crowd.id[k] < crowd.id[threat]
-            ):
-                threat, soonest = k, when
+        if k == target or eats[crowd.species[k], kind] != 0:
+            continue
+        when = collision(crowd, me, k)
+        if when < soonest:
+            threat, soonest = k, when
     return found, threat, soonest
-
-
-@inlined
-def see_shoal(plan: Plan, crowd: Crowd, me: int, sight: float, shoal: Float64s) -> float:
-    """Write offset [m] and mean heading of one's own kind over nine squares, (6,); return how many.
-
-    None where their middle is out of sight. The fish itself is left out.
-    """
-    side, kind = plan.squares, crowd.species[me]
-    cx, cy = (
-        crowd.column[me] // plan.columns // plan.block,
-        crowd.column[me] % plan.columns // plan.block,
-    )
-    number = np.int64(-1)
-    x, y, z = (
-        -np.int64(crowd.x[me] * FIXED),
-        -np.int64(crowd.y[me] * FIXED),
-        -np.int64(crowd.z[me] * FIXED),
-    )
-    u, v, w = (
-        -np.int64(crowd.hx[me] * FIXED),
-        -np.int64(crowd.hy[me] * FIXED),
-        -np.int64(crowd.hz[me] * FIXED),
-    )
-    for i in range(max(cx - 1, 0), min(cx + 2, side)):
-        for j in range(max(cy - 1, 0), min(cy + 2, side)):
-            at = i * side + j
-            number += crowd.shoal[kind, at, 0]
-            x += crowd.shoal[kind, at, 1]
-            y += crowd.shoal[kind, at, 2]
-            z += crowd.shoal[kind, at, 3]
-            u += crowd.shoal[kind, at, 4]
-            v += crowd.shoal[kind, at, 5]
-            w += crowd.shoal[kind, at, 6]
-    if number <= 0:
-        return 0.0
-    whole = number * FIXED
-    dx, dy, dz = x / whole - crowd.x[me], y / whole - crowd.y[me], z / whole - crowd.z[me]
-    if dx * dx + dy * dy + dz * dz > sight * sight:
-        return 0.0
-    shoal[0], shoal[1], shoal[2] = dx, dy, dz
-    shoal[3], shoal[4], shoal[5] = u / whole, v / whole, w / whole
-    return float(number)
 
 
 @inlined

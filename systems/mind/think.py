@@ -1,215 +1,280 @@
 """Think: every mind, fifteen times a second (papers/000 sections 3.2 and 6; papers/004).
 
-One loop over the fishes in cell order calls perceive, intend and behave in turn for each. A quarter of them thinks in
-a tick, by blocks of 3 x 3 columns, so that neighbours share the look around their cell; who crosses between blocks
-thinks at the latest after eight ticks. Nothing of what was perceived is kept but the focus and the intention.
+One loop over the fishes in cell order calls perceive, feel, intend and behave in turn for each. A quarter of them
+thinks in a tick, by blocks of 3 x 3 columns, so that neighbours share the look around their cell; who crosses between
+blocks thinks at the latest after eight ticks. Nothing of what was perceived is kept but the focus, the intention and
+its reason.
 """
 
-from typing import Final, NamedTuple
+from math import sqrt
+from typing import Final
 
 import numba
+import numpy as np
 
-from components.arrays import Float64s, Int8s, Int32s, Int64s
-from components.chance import WANDER, uniform
+from components.arrays import Float64s, Int8s, Int32s
+from components.chance import WHIM, uniform
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
-from components.ground import Terrain, ground_height
+from components.food import FoodTable, in_stomach
+from components.ground import Terrain
+from components.habitat import STILL, Habitat, daylight
+from components.index import Places
 from components.kernels import inlined, loop, row
-from components.mind import SUBMARINE
+from components.mind import FOOD, SUBMARINE, Role, Why
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
-from components.vector import level_off, point
-from systems.mind.behave.avoid_fish import avoid_fish, avoid_submarine
-from systems.mind.behave.avoid_static_obstacle import avoid_static_obstacle
-from systems.mind.behave.school import roam, school
-from systems.mind.behave.wander import depart, wander
+from systems.mind.act import NONE, act, heed_worst, liked_depth, place_of
+from systems.mind.behave.wander import is_curious
+from systems.mind.beware import fear_all, watch_hunters
+from systems.mind.feel import (
+    FOOD_FAR,
+    FOOD_NEAR,
+    MATE_FAR,
+    MATE_NEAR,
+    appetite,
+    desire,
+    fear_of_submarine,
+    hunger_of,
+    libido_of,
+    speed_of,
+    stimulus,
+    unease,
+)
 from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan
-from systems.mind.intend import AVOID_FISH, AVOID_OBSTACLE, SCHOOL, intend
+from systems.mind.intend import (
+    AFRAID,
+    AVOID_FISH,
+    AVOID_OBSTACLE,
+    EAT,
+    ESCAPE,
+    MATE,
+    OBEY,
+    RELENT,
+    SCHOOL,
+    WANTING,
+    WATCHFUL,
+    Held,
+    Percept,
+    intend,
+)
 from systems.mind.perceive import (
-    HORIZON,
     NO_DANGER,
     Attention,
     feel_ahead,
     find_runs,
+    gather,
     make_attention,
     meet_submarine,
-    see_shoal,
+    reach_of,
+    see_around,
     watch,
 )
+from systems.mind.scene import Minds, Scene, minds_of
+from systems.mind.seek import SMELL, is_male, seek_mate, seek_prey, smell_food, suits
+from systems.mind.shoal import see_shoal, sum_shoals
+from systems.mind.sparse import Sparse, SparseGrid, find_sparse_runs
 
 LATEST_TICKS: Final = 8
 """[ticks] after which a fish thinks, whoever's turn it is."""
 
-_RIM_FROM: Final = 0.72
-_RIM_PUSH: Final = 0.9
-_DEPTH_PUSH: Final = 0.7
-_DEPTH_SOFT: Final = 1.5
-_CALM_SLOPE: Final = 0.45
-_STEEPEST: Final = 0.8
+SEARCH_EVERY: Final = 8
+"""[thoughts] on average between looks round for a mate where none is near."""
 
-
-class Minds(NamedTuple):
-    """The columns that thinking reads and writes, row for row with the fishes'."""
-
-    intention: Int8s
-    focus: Int64s
-    since: Int64s
-    thought_at: Int64s
-    wander_until: Int64s
-    wander: Float64s
-    cohort: Int32s
-    heading: Float64s
-    gear: Int8s
-    urgency: Float64s
-
-
-class Scene(NamedTuple):
-    """What minds live in during a tick."""
-
-    now: int
-    seed: int
-    plan: Plan
-    crowd: Crowd
-    senses: SenseTable
-    terrain: Terrain
-    submarine: Float64s
-    submarine_velocity: Float64s
-    submarines: int
+_PLAYER: Final = int(Why.PLAYER)
+_CURIOSITY: Final = int(Why.CURIOSITY)
+_PREY: Final = int(Role.PREY)
+_PREDATOR: Final = int(Role.PREDATOR)
+_CURIOUS_PREDATOR: Final = 0.3
+_NOWHERE: Final = 0.5
+_LOSES_SIGHT: Final = 2.0
 
 
 @inlined
-def _liked_depth(scene: Scene, me: int) -> tuple[float, float]:
-    """Return the lowest and highest z [m] that the fish likes where it is."""
-    crowd, terrain, kind = scene.crowd, scene.terrain, scene.crowd.species[me]
-    floor = ground_height(terrain.height, terrain.extent, terrain.cell, crowd.x[me], crowd.y[me])
-    length = crowd.length[me]
-    low = max(scene.senses.deep[kind], floor + 1.2 * length + 0.3)
-    high = min(scene.senses.shallow[kind], -1.2 * length - 0.2)
-    if low > high:
-        low = high = 0.5 * (low + high)
-    return low, high
-
-
-@inlined
-def _stay_in_range(scene: Scene, me: int, low: float, high: float, out: Float64s) -> None:
-    """Lean the wanted direction towards the liked depth and away from the rim."""
-    crowd, radius = scene.crowd, scene.terrain.radius
-    x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
-    if z > high:
-        out[2] -= _DEPTH_PUSH * min((z - high) / _DEPTH_SOFT, 1.0)
-    elif z < low:
-        out[2] += _DEPTH_PUSH * min((low - z) / _DEPTH_SOFT, 1.0)
-    far = (x * x + y * y) / (radius * radius)
-    if far > _RIM_FROM * _RIM_FROM:
-        push = _RIM_PUSH * min((far - _RIM_FROM * _RIM_FROM) / (1.0 - _RIM_FROM * _RIM_FROM), 1.0)
-        out[0] -= push * x / radius
-        out[1] -= push * y / radius
-
-
-@inlined
-def _wander(
-    scene: Scene, me: int, minds: Minds, away: Float64s, out: Float64s
+def _seek_food(
+    scene: Scene, me: int, minds: Minds, plain: float, target: int, attention: Attention, piece: int
 ) -> tuple[int, float]:
-    """Set out anew where the leg has ended, then wander; return gear and urgency."""
+    """Return the focus that food or prey deserves, -1 for none, and its distance [m]. Prey goes before food."""
     crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    kind, identity = crowd.species[me], crowd.id[me]
-    low, high = _liked_depth(scene, me)
-    if scene.now >= minds.wander_until[i]:
-        minds.wander_until[i] = depart(
-            scene.terrain, kind, crowd.x[me], crowd.y[me], crowd.z[me], low, high,
-            max(senses.speed[kind, 0], 0.3) * crowd.length[me], scene.seed, scene.now, identity,
-            minds.wander[i],
-        )  # fmt: skip
-    drawn = uniform(scene.seed, WANDER, minds.wander_until[i], identity)
-    gear, urgency = wander(senses.role[kind], minds.wander[i], drawn, away, senses.sight[kind], out)
-    _stay_in_range(scene, me, low, high, out)
-    return gear, urgency
+    kind, x, y, z = crowd.species[me], crowd.x[me], crowd.y[me], crowd.z[me]
+    eager = minds.intention[i] == EAT or plain + 0.8 > WANTING
+    if not eager:
+        return -1, NO_DANGER
+    if senses.hunts[kind] != 0:
+        prey, far = seek_prey(scene, me, target, minds.swallowed_by, attention, piece)
+        if prey >= 0:
+            return crowd.id[prey], far
+    if senses.grazes[kind] != 0 and scene.food.number > 0:
+        kept = FOOD - minds.focus[i] if minds.focus[i] <= FOOD else -1
+        reach = min(SMELL * senses.sight[kind], scene.food.cell)
+        food, far = smell_food(scene.food, x, y, z, reach, kept, attention.hunter_runs[piece])
+        if food >= 0:
+            return FOOD - food, far
+    return -1, NO_DANGER
 
 
 @inlined
-def _school(
-    scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, found: int, number: float
+def _seek_mate(
+    scene: Scene, me: int, minds: Minds, target: int, found: int, attention: Attention, piece: int
 ) -> tuple[int, float]:
-    """School among the neighbours seen; return gear and urgency."""
-    crowd, i = scene.crowd, scene.crowd.row[me]
-    low, high = _liked_depth(scene, me)
-    x, y, up = roam(scene.seed, minds.cohort[i], scene.now, scene.terrain.radius)
-    spacing = scene.senses.spacing[crowd.species[me]] * crowd.length[me]
-    out = attention.out[piece]
-    gear, urgency = school(
-        crowd, me, attention.near[piece], attention.distance[piece], found, attention.shoal[piece],
-        number, spacing, x, y, low + up * (high - low), minds.gear[i], out,
-    )  # fmt: skip
-    _stay_in_range(scene, me, low, high, out)
-    out[2] *= 0.7
-    return gear, urgency
+    """Return the place of the partner, -1 for none, and its distance [m]: the old one first, then who is near."""
+    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
+    male = is_male(scene.seed, crowd.id[me])
+    if minds.intention[i] == MATE and target >= 0 and suits(scene, me, target, male):
+        far = speed_of(
+            crowd.x[target] - crowd.x[me],
+            crowd.y[target] - crowd.y[me],
+            crowd.z[target] - crowd.z[me],
+        )
+        if far < _LOSES_SIGHT * senses.sight[crowd.species[me]]:
+            return target, far
+    for k in range(found):
+        other = attention.near[piece, k]
+        if suits(scene, me, other, male):
+            return other, sqrt(attention.distance[piece, k])
+    if senses.schooling[crowd.species[me]] != 0:
+        return -1, NO_DANGER
+    if (scene.now // 4 + crowd.id[me]) % SEARCH_EVERY != 0:
+        return -1, NO_DANGER
+    return seek_mate(scene, me, minds.swallowed_by, attention, piece)
 
 
 @inlined
-def _decide(
-    scene: Scene, me: int, minds: Minds, obstacle: float, threat: bool, company: bool
-) -> int:
-    """Take the intention of this tick and remember since when it holds."""
-    i = scene.crowd.row[me]
-    previous = minds.intention[i]
-    intention = intend(scene.now, previous, minds.since[i], obstacle, threat, company)
-    if intention != previous or threat:
-        minds.since[i] = scene.now
-    minds.intention[i] = intention
-    return intention
+def _suit(scene: Scene, me: int) -> tuple[float, float]:
+    """Return unease and where to go, as `unease`; none where the liked depth ends there."""
+    senses, kind = scene.senses, scene.crowd.species[me]
+    if senses.bright[kind] == 0 and senses.warm[kind] == 0:
+        return 0.0, 0.0
+    z = scene.crowd.z[me]
+    much, way = unease(scene.habitat, scene.day, z, senses.bright[kind], senses.warm[kind])
+    if much > 0.0:
+        low, high = liked_depth(scene, me)
+        if (high - z if way > 0.0 else z - low) < _NOWHERE:
+            much = 0.0
+    return much, way
+
+
+@inlined
+def _curious(scene: Scene, me: int, away: Float64s) -> float:
+    """Return the distance [m] to the submarine that the fish comes to look at, else 0."""
+    senses, kind = scene.senses, scene.crowd.species[me]
+    if scene.submarines == 0 or senses.role[kind] == _PREY:
+        return 0.0
+    far = speed_of(away[0], away[1], away[2])
+    if far > min(2.0 * senses.sight[kind], scene.habitat.visibility):
+        return 0.0
+    chance = _CURIOUS_PREDATOR if senses.role[kind] == _PREDATOR else senses.curiosity[kind]
+    return far if is_curious(scene.seed, scene.now, scene.crowd.id[me], chance) else 0.0
 
 
 @inlined
 def think_one(
-    scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, number_of_runs: int
+    scene: Scene,
+    me: int,
+    minds: Minds,
+    attention: Attention,
+    piece: int,
+    around: int,
+    hunter_runs: int,
 ) -> None:
-    """Perceive, intend and behave for the fish at place `me` of the crowd."""
+    """Perceive, feel, intend and behave for the fish at place `me` of the crowd."""
     crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    kind, out = crowd.species[me], attention.out[piece]
-    schooling = senses.schooling[kind] != 0
-    reach = min(senses.sight[kind], scene.plan.cell)
-    found, other, when = watch(crowd, me, schooling, reach, number_of_runs, attention, piece)
+    kind, length = crowd.species[me], crowd.length[me]
+    schooling, role = senses.schooling[kind] != 0, senses.role[kind]
+    timid = role == _PREY or (role != _PREDATOR and senses.hunted[kind] != 0)
+    previous = minds.intention[i]
+    target = place_of(scene, minds.focus[i]) if previous in (EAT, MATE) else -1
+    reach = reach_of(scene.plan, senses.sight[kind], length)
+    many = see_around(crowd, me, reach, around, attention, piece)
+    found, other, when = watch(crowd, me, schooling, target, senses.eats, many, attention, piece)
     number = 0.0
     if schooling:
         number = see_shoal(scene.plan, crowd, me, 2.0 * senses.sight[kind], attention.shoal[piece])
-    alarm = 0.8 * crowd.length[me] + 0.2
-    obstacle = feel_ahead(scene.terrain, crowd, me, 1.5 * alarm, attention.normal[piece])
-    obstacle /= alarm
-    away = attention.away[piece]
+    seen, predator, fear, danger = 0, -1, 0.0, 0.0
+    if hunter_runs > 0:
+        seen, big, soon = watch_hunters(scene, me, target, hunter_runs, attention, piece)
+        if soon < when:
+            other, when = big, soon
+        fear, danger, predator, seen = fear_all(
+            scene, me, seen, attention.hunters[piece], attention.hunter_distance[piece]
+        )
+    alarm = 0.8 * length + 0.2
+    obstacle = feel_ahead(scene.terrain, crowd, me, 1.5 * alarm, attention.normal[piece]) / alarm
+    away, scare = attention.away[piece], 0.0
     meets = meet_submarine(
         crowd, me, scene.submarine, scene.submarine_velocity, scene.submarines, away
     )
-    threat = min(when, meets) < NO_DANGER
-    company = schooling and (found > 0 or number > 0.0)
-    intention = _decide(scene, me, minds, obstacle, threat, company)
-    minds.focus[i] = -1
-    if intention == AVOID_OBSTACLE:
-        side = 1.0 if crowd.id[me] & 1 else -1.0
-        gear, urgency = avoid_static_obstacle(
-            crowd.hx[me], crowd.hy[me], crowd.hz[me], attention.normal[piece],
-            min(max(1.0 - obstacle, 0.0), 1.0), side, out,
+    if timid and role == _PREY and scene.submarines > 0:
+        v = scene.submarine_velocity
+        scare = fear_of_submarine(
+            senses.wariness[kind], speed_of(v[0, 0], v[0, 1], v[0, 2]),
+            speed_of(away[0], away[1], away[2]),
         )  # fmt: skip
-    elif intention == AVOID_FISH:
-        if meets < when:
-            minds.focus[i] = SUBMARINE
-            gear, urgency = avoid_submarine(crowd, me, away, min(meets, HORIZON), out)
-        elif other >= 0:
-            minds.focus[i] = crowd.id[other]
-            gear, urgency = avoid_fish(crowd, me, other, when, out)
-        else:
-            gear, urgency = 1, 0.2
-            for axis in range(3):
-                out[axis] = minds.heading[i, axis]
-    elif intention == SCHOOL:
-        if found > 0:
-            minds.focus[i] = crowd.id[attention.near[piece, 0]]
-        gear, urgency = _school(scene, me, minds, attention, piece, found, number)
-    else:
-        gear, urgency = _wander(scene, me, minds, away, out)
-    point(minds.heading[i], out[0], out[1], out[2])
-    avoiding = intention in (AVOID_OBSTACLE, AVOID_FISH)
-    level_off(minds.heading[i], _STEEPEST if avoiding else _CALM_SLOPE)
-    minds.gear[i], minds.urgency[i], minds.thought_at[i] = gear, urgency, scene.now
+    fear, danger = min(fear + scare, 1.0), max(danger, scare)
+    threat = min(when, meets) < NO_DANGER
+    near = obstacle < (WATCHFUL if previous == AVOID_OBSTACLE else 1.0)
+    urgent = near or threat or (timid and fear > AFRAID)
+
+    stomach = in_stomach(minds.eaten[i], minds.ate_at[i], scene.now, senses.digestion[kind])
+    plain = appetite(stomach, senses.appetite[kind])
+    meal, meal_far, mate, mate_far = -1, NO_DANGER, -1, NO_DANGER
+    if not urgent:
+        meal, meal_far = _seek_food(scene, me, minds, plain, target, attention, piece)
+    tempted = stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR)
+    hunger = hunger_of(plain, tempted)
+    wish = 0.0
+    if role != _PREDATOR:
+        wish = desire(
+            float(scene.now - minds.mated_at[i]), senses.breeding[kind], hunger_of(plain, 0.0)
+        )
+    if not urgent and libido_of(wish, 1.0) > WANTING * RELENT:
+        mate, mate_far = _seek_mate(scene, me, minds, target, found, attention, piece)
+    libido = libido_of(wish, stimulus(length / (mate_far + 1e-9), MATE_FAR, MATE_NEAR))
+    much, rise = _suit(scene, me)
+    minds.hunger[i], minds.libido[i], minds.fear[i] = hunger, libido, fear
+    minds.danger[i], minds.thought_at[i] = danger, scene.now
+    heed_worst(scene, me, predator, scare, away, attention.danger[piece])
+    if previous == OBEY:
+        minds.why[i], minds.why_value[i] = _PLAYER, 0.0
+        return
+    company = found + (1 if number > 0.0 else 0) if schooling else 0
+    held = Held(previous, minds.why[i], minds.since[i], minds.memory[i])
+    percept = Percept(
+        obstacle, min(when, meets), threat, timid, fear, danger, company, hunger, libido,
+        meal != -1, mate >= 0, role == _PREDATOR, minds.focus[i] >= 0, much,
+        _curious(scene, me, away),
+        uniform(scene.seed, WHIM, scene.now, crowd.id[me]) < 0.5,
+    )  # fmt: skip
+    intention, why, value, memory = intend(scene.now, held, percept)
+    if intention != previous or threat:
+        minds.since[i] = scene.now
+    if memory >= 0 and memory != minds.memory[i]:
+        minds.memory_focus[i] = minds.focus[i]
+    if intention == MATE or memory == MATE:
+        if intention == MATE and previous != MATE and minds.courtship[i] == NONE:
+            minds.courtship_since[i] = scene.now
+    elif minds.courtship[i] != NONE:
+        minds.courtship[i], minds.courtship_since[i] = NONE, scene.now
+    minds.intention[i], minds.why[i], minds.why_value[i] = intention, why, value
+    minds.memory[i] = memory
+    focus = -1
+    if intention == EAT:
+        focus = meal
+    elif intention == MATE:
+        focus = crowd.id[mate]
+    elif intention == SCHOOL and found > 0:
+        focus = crowd.id[attention.near[piece, 0]]
+    elif intention == ESCAPE and (predator >= 0 or scare > 0.0):
+        focus = crowd.id[predator] if predator >= 0 and danger > scare else SUBMARINE
+    elif intention == AVOID_FISH and threat:
+        focus = SUBMARINE if meets < when else crowd.id[other]
+    elif why == _CURIOSITY:
+        focus = SUBMARINE
+    minds.focus[i] = focus
+    act(
+        scene, me, minds, attention, piece, previous, found, number, other, min(when, meets), seen,
+        predator, scare, obstacle, rise,
+    )  # fmt: skip
 
 
 @row
@@ -219,7 +284,7 @@ def think_some(
     """Let those think whose turn it is, among places begin..end of the crowd."""
     crowd, side = scene.crowd, scene.plan.columns
     column = layer = -1
-    number_of_runs = 0
+    around = hunter_runs = 0
     for me in range(begin, end):
         turn = crowd.column[me] // side // 3 + 2 * (crowd.column[me] % side // 3) - scene.now
         waited = scene.now - minds.thought_at[crowd.row[me]]
@@ -227,21 +292,32 @@ def think_some(
             continue
         if crowd.column[me] != column or crowd.layer[me] != layer:
             column, layer = crowd.column[me], crowd.layer[me]
-            number_of_runs = find_runs(scene.plan, crowd, column, layer, attention.runs[piece])
-        think_one(scene, me, minds, attention, piece, number_of_runs)
+            runs = find_runs(scene.plan, crowd, column, layer, attention.runs[piece])
+            around = gather(crowd, runs, attention, piece)
+        hunter_runs = find_sparse_runs(
+            scene.hunters, crowd.x[me], crowd.y[me], crowd.z[me], attention.hunter_runs[piece]
+        )
+        think_one(scene, me, minds, attention, piece, around, hunter_runs)
 
 
 @loop
 def think_all(
     now: int,
     seed: int,
+    day: float,
     plan: Plan,
     crowd: Crowd,
     senses: SenseTable,
     terrain: Terrain,
+    habitat: Habitat,
+    hunters: Sparse,
+    food: Sparse,
+    places: Places,
     submarine: Float64s,
     submarine_velocity: Float64s,
     submarines: int,
+    food_position: Float64s,
+    food_last: Float64s,
     number: int,
     minds: Minds,
     attention: Attention,
@@ -254,13 +330,27 @@ def think_all(
         piece = (turn * 27) % PIECES
         begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
         scene = Scene(
-            now, seed, plan, crowd, senses, terrain, submarine, submarine_velocity, submarines
-        )
+            now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, places, submarine,
+            submarine_velocity, submarines, food_position, food_last,
+        )  # fmt: skip
         think_some(scene, begin, end, minds, attention, piece)
 
 
+@row
+def _list_hunters(
+    number: int, crowd: Crowd, hunts: Int8s, x: Float64s, y: Float64s, z: Float64s, what: Int32s
+) -> int:
+    """List the fishes that eat others, in the order of the crowd; return how many. (capacity,) each."""
+    many = 0
+    for k in range(number):
+        if hunts[crowd.species[k]] != 0:
+            x[many], y[many], z[many], what[many] = crowd.x[k], crowd.y[k], crowd.z[k], k
+            many += 1
+    return many
+
+
 class Think:
-    """Reads fishes, senses, terrain, submarine and clock; writes minds and the motors' demands.
+    """Reads fishes, senses, terrain, submarine, food, habitat and clock; writes minds and the motors' demands.
 
     Once a second it puts the fishes' rows in the order of cells, which no result depends on.
     """
@@ -272,11 +362,16 @@ class Think:
         terrain: Terrain,
         submarine: SubmarineTable,
         clock: Clock,
+        food: FoodTable | None = None,
+        habitat: Habitat = STILL,
     ) -> None:
         self.population, self.senses, self.terrain = population, senses, terrain
         self.submarine, self.clock = submarine, clock
+        self.food, self.habitat = FoodTable() if food is None else food, habitat
         self.grid = Grid(terrain, senses)
+        self._hunters, self._meals = SparseGrid(terrain), SparseGrid(terrain)
         self._attention = make_attention()
+        self._few = (np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0, np.int32))
 
     def __call__(self) -> None:
         """Advance the minds by one tick."""
@@ -286,16 +381,37 @@ class Think:
         self.grid.sort(
             self.population, reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0
         )
-        mind, motor = self.population.mind, self.population.motor
-        minds = Minds(
-            mind.intention, mind.focus, mind.since, mind.thought_at, mind.wander_until, mind.wander,
-            self.population.fish.cohort, motor.heading, motor.gear, motor.urgency,
-        )  # fmt: skip
-        scene = Scene(
-            now, int(self.clock.seed[0]), self.grid.plan, self.grid.crowd, self.senses,
-            self.terrain, self.submarine.position, self.submarine.velocity, self.submarine.count,
-        )  # fmt: skip
+        sum_shoals(self.grid.plan, self.senses.schooling, self.grid.crowd, number)
+        scene, minds = self._scene(number), minds_of(self.population)
         if number < SERIAL_BELOW:
             think_some(scene, 0, number, minds, self._attention, 0)
         else:
             think_all(*scene, number, minds, self._attention)
+
+    def _scene(self, number: int) -> Scene:
+        """Return the world as minds find it this tick."""
+        food, now = self.food, self.clock.now
+        return Scene(
+            now, int(self.clock.seed[0]), daylight(self.habitat, now), self.grid.plan,
+            self.grid.crowd, self.senses, self.terrain, self.habitat, self._hunting(number),
+            self._edible(), self.population.index.places, self.submarine.position,
+            self.submarine.velocity, self.submarine.count, food.position, food.last_position,
+        )  # fmt: skip
+
+    def _hunting(self, number: int) -> Sparse:
+        """Return the grid of the fishes that eat others."""
+        if number > len(self._few[0]):
+            room = 2 * number
+            self._few = (np.zeros(room), np.zeros(room), np.zeros(room), np.zeros(room, np.int32))
+        x, y, z, what = self._few
+        many = _list_hunters(number, self.grid.crowd, self.senses.hunts, x, y, z, what)
+        return self._hunters.sort((x, y, z), what, many, 3.0 * self.grid.plan.cell)
+
+    def _edible(self) -> Sparse:
+        """Return the grid of the food in the water."""
+        food, count = self.food, self.food.count
+        there = (food.returns[:count] <= self.clock.now) & (food.eaten_by[:count] < 0)
+        what = np.flatnonzero(there).astype(np.int32)
+        place = np.ascontiguousarray(food.position[what].T)
+        least = 3.0 * self.grid.plan.cell
+        return self._meals.sort((place[0], place[1], place[2]), what, len(what), least)

@@ -35,6 +35,7 @@ def make_senses() -> SenseTable:
         girth=np.array([0.11, 0.19]),
         speed=np.array([[1.0, 2.1, 3.0], [0.8, 1.5, 2.1]]),
         eats=np.zeros((2, 2), np.int8),
+        hunts=np.zeros(2, np.int8),
         hunted=np.zeros(2, np.int8),
         grazes=np.ones(2, np.int8),
         meal=np.ones(2),

@@ -5,7 +5,16 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from systems.mind.perceive import NEIGHBOURS, find_runs, make_attention, watch
+from systems.mind.perceive import (
+    LATERAL_LINE,
+    NEIGHBOURS,
+    find_runs,
+    gather,
+    make_attention,
+    see_around,
+    watch,
+)
+from systems.mind.shoal import sum_shoals
 
 
 def nearest_by_brute_force(pond, me: int, reach: float) -> list[int]:  # type: ignore[no-untyped-def]
@@ -14,7 +23,8 @@ def nearest_by_brute_force(pond, me: int, reach: float) -> list[int]:  # type: i
     square = (offset[:, 0] ** 2 + offset[:, 1] ** 2) + offset[:, 2] ** 2
     axis = fish.rotation[me, :, 0]
     along = offset @ axis
-    seen = (along >= 0) | (along**2 < 0.75 * square)
+    felt = LATERAL_LINE * fish.length[me]
+    seen = (along >= 0) | (along**2 < 0.75 * square) | (square < felt * felt)
     seen &= (square <= reach * reach) & (fish.species[:count] == fish.species[me])
     seen[me] = False
     rows = np.flatnonzero(seen)
@@ -35,7 +45,9 @@ def test_neighbours_are_those_of_brute_force(
     several = 0
     for place in range(0, sardines + tangs, 7):
         runs = find_runs(plan, crowd, crowd.column[place], crowd.layer[place], attention.runs[0])
-        found, _, _ = watch(crowd, place, True, plan.cell, runs, attention, 0)
+        around = gather(crowd, runs, attention, 0)
+        many = see_around(crowd, place, plan.cell, around, attention, 0)
+        found, _, _ = watch(crowd, place, True, -1, scene.senses.eats, many, attention, 0)
         rows = [int(crowd.row[k]) for k in attention.near[0, :found]]
         assert rows == nearest_by_brute_force(scene, int(crowd.row[place]), plan.cell)
         several += found > 1
@@ -55,12 +67,13 @@ def test_every_fish_stands_in_its_column_once(pond: ModuleType) -> None:
         column = crowd.column[k]
         assert crowd.first[column] <= k < crowd.first[column + 1]
         if k > crowd.first[column]:
-            assert crowd.layer[k - 1] <= crowd.layer[k]
+            assert (crowd.layer[k - 1], crowd.id[k - 1]) < (crowd.layer[k], crowd.id[k])
 
 
 def test_shoals_count_the_schooling_alone(pond: ModuleType) -> None:
     scene = pond.Pond(120, 30, spread=4.0)
     scene.think.grid.sort(scene.population)
+    sum_shoals(scene.think.grid.plan, scene.senses.schooling, scene.think.grid.crowd, 150)
     squares = scene.think.grid.plan.squares**2
     numbers = scene.think.grid.crowd.shoal[:, :squares, 0].sum(axis=1)
     assert numbers.tolist() == [120, 0]

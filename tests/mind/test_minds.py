@@ -17,7 +17,6 @@ from components.fish import Population
 from components.kernels import loop, row
 from components.mind import SUBMARINE, Intention
 from components.terrain import clearance
-from systems.mind.intend import AVOID_TICKS, CALM_TICKS, intend
 from systems.motor.bound import Swimmers
 
 WANDER, OBSTACLE, AVOID, SCHOOL = (int(kind) for kind in list(Intention)[:4])
@@ -158,20 +157,6 @@ def test_fishes_keep_clear_of_the_submarine(pond: ModuleType) -> None:
     offset = scene.population.fish.position[:60] - scene.submarine.position[0]
     assert focused.any() or (np.sqrt((offset**2).sum(axis=1)) > 2.5).all()
     assert np.quantile(np.sqrt((offset**2).sum(axis=1)), 0.1) > 2.0
-
-
-def test_danger_is_taken_up_at_once_and_left_after_a_while() -> None:
-    assert intend(100, SCHOOL, 90, 0.9, False, True) == OBSTACLE
-    assert intend(100, OBSTACLE, 90, 1.2, False, True) == OBSTACLE
-    assert intend(100, SCHOOL, 90, 1.2, True, True) == AVOID
-    assert intend(100, AVOID, 99, 9.0, False, True) == AVOID
-    assert intend(100, AVOID, 100 - AVOID_TICKS, 9.0, False, True) == SCHOOL
-
-
-def test_calm_intentions_do_not_flicker() -> None:
-    assert intend(100, SCHOOL, 99, 9.0, False, False) == SCHOOL
-    assert intend(100, SCHOOL, 100 - CALM_TICKS, 9.0, False, False) == WANDER
-    assert intend(100, WANDER, 99, 9.0, False, True) == WANDER
 
 
 def test_the_parallel_loop_drops_no_store(pond: ModuleType) -> None:

@@ -1,0 +1,115 @@
+"""Bewaring: the predators that a fish sees, large fishes that pass, and how afraid it is of them.
+
+Who eats it is seen from afar, the farther the larger; behind rocks and ground nobody is (papers/000, 3.2).
+"""
+
+from math import sqrt
+from typing import Final
+
+from components.arrays import Float64s, Int64s
+from components.kernels import inlined
+from components.senses import SWALLOWED
+from components.sightline import in_sight
+from systems.mind.feel import fear_of
+from systems.mind.perceive import (
+    LATERAL_LINE,
+    NO_DANGER,
+    Attention,
+    collision,
+    in_view,
+    insert,
+)
+from systems.mind.scene import Scene
+from systems.mind.sparse import LONGEST_RUN
+
+LOOMS: Final = 3.0
+"""Lengths of a large fish within which others mind where it swims."""
+
+NEGLIGIBLE: Final = 0.04
+"""Fear of one predator too small to look twice."""
+
+
+@inlined
+def sight_of(sight: float, visibility: float, length: float, other: float) -> float:
+    """Return how far [m] a fish `length` [m] long sees one of the length `other`.
+
+    `sight` [m] serves for its own size and grows with the root of the other's: contrast limits sight under water as
+    much as size does; nothing is seen beyond the water's `visibility` [m].
+    """
+    return min(sight * sqrt(other / length), visibility)
+
+
+@inlined
+def can_swallow(length: float, victim: float) -> bool:
+    """Return whether a fish `length` [m] long swallows one of the length `victim`."""
+    return victim <= SWALLOWED * length
+
+
+@inlined
+def watch_hunters(
+    scene: Scene, me: int, target: int, runs_found: int, attention: Attention, piece: int
+) -> tuple[int, int, float]:
+    """Find the nearest that eat this fish, in view or felt, and the first hunter to collide with it.
+
+    Write places and squared distances, nearest first; return how many they are, the place of who collides, -1 for none,
+    and the time to it [s]. Who eats it, or is its `target`'s place, is no obstacle.
+    """
+    crowd, sparse, senses = scene.crowd, scene.hunters, scene.senses
+    runs, hunters = attention.hunter_runs[piece], attention.hunters[piece]
+    distance = attention.hunter_distance[piece]
+    kind, length = crowd.species[me], crowd.length[me]
+    x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
+    farthest = min(scene.habitat.visibility, sparse.cell)
+    limit, felt = farthest * farthest, LATERAL_LINE * length * LATERAL_LINE * length
+    keen = senses.sight[kind] * senses.sight[kind] / length
+    found, threat, soonest = 0, -1, NO_DANGER
+    for run in range(runs_found):
+        begin, end = runs[2 * run], runs[2 * run + 1]
+        for k in range(begin, end, (end - begin) // LONGEST_RUN + 1):
+            dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
+            square = dx * dx + dy * dy + dz * dz
+            if square > limit:
+                continue
+            other = sparse.what[k]
+            size = crowd.length[other]
+            if square > keen * size or other == me:
+                continue
+            seen = in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me])
+            if not (seen or square < felt):
+                continue
+            if senses.eats[crowd.species[other], kind] != 0:
+                if can_swallow(size, length):
+                    found = insert(other, square, hunters, distance, found)
+            elif other != target and square < LOOMS * size * LOOMS * size:
+                when = collision(crowd, me, other)
+                if when < soonest:
+                    threat, soonest = other, when
+    return found, threat, soonest
+
+
+@inlined
+def fear_all(
+    scene: Scene, me: int, found: int, hunters: Int64s, distance: Float64s
+) -> tuple[float, float, int, int]:
+    """Return the fear of all `found` predators, of the most dangerous, its place, -1 for none, and how many are seen.
+
+    Those behind rock and ground drop out of the lists. Who is as afraid as it can be looks no farther.
+    """
+    crowd, wariness = scene.crowd, scene.senses.wariness[scene.crowd.species[me]]
+    fear, worst, place, seen = 0.0, 0.0, -1, 0
+    for k in range(found):
+        other = hunters[k]
+        one = fear_of(wariness, crowd.length[other], sqrt(distance[k]))
+        if one < NEGLIGIBLE or fear >= 1.0:
+            continue
+        if not in_sight(
+            scene.terrain, crowd.x[me], crowd.y[me], crowd.z[me],
+            crowd.x[other], crowd.y[other], crowd.z[other],
+        ):  # fmt: skip
+            continue
+        hunters[seen], distance[seen] = other, distance[k]
+        seen += 1
+        fear += one
+        if one > worst:
+            worst, place = one, other
+    return min(fear, 1.0), worst, place, seen

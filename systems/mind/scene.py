@@ -1,0 +1,84 @@
+"""What minds live in during a tick, and the columns that they read and write."""
+
+from typing import NamedTuple
+
+from components.arrays import Float32s, Float64s, Int8s, Int32s, Int64s
+from components.fish import Population
+from components.ground import Terrain
+from components.habitat import Habitat
+from components.index import Places
+from components.senses import SenseTable
+from systems.mind.grid import Crowd, Plan
+from systems.mind.sparse import Sparse
+
+
+class Scene(NamedTuple):
+    """The world as minds find it."""
+
+    now: int
+    seed: int
+    day: float
+    "light just under the surface, 0 to 1"
+    plan: Plan
+    crowd: Crowd
+    senses: SenseTable
+    terrain: Terrain
+    habitat: Habitat
+    hunters: Sparse
+    "the fishes of species that eat others"
+    food: Sparse
+    "the food in the water"
+    places: Places
+    "the rows of ids"
+    submarine: Float64s
+    "[m], (K, 3)"
+    submarine_velocity: Float64s
+    "[m/s], (K, 3)"
+    submarines: int
+    food_position: Float64s
+    "[m] of each particle, (F, 3), by row of the table of food"
+    food_last: Float64s
+    "[m] a tick ago, (F, 3)"
+
+
+class Minds(NamedTuple):
+    """The columns that thinking reads and writes, row for row with the fishes'."""
+
+    intention: Int8s
+    why: Int8s
+    why_value: Float32s
+    focus: Int64s
+    since: Int64s
+    thought_at: Int64s
+    wander_until: Int64s
+    wander: Float64s
+    side: Int8s
+    memory: Int8s
+    memory_focus: Int64s
+    hunger: Float64s
+    libido: Float64s
+    fear: Float64s
+    danger: Float64s
+    eaten: Float64s
+    ate_at: Int64s
+    mated_at: Int64s
+    courtship: Int8s
+    courtship_since: Int64s
+    gape: Float64s
+    swallowed_by: Int64s
+    cohort: Int32s
+    heading: Float64s
+    gear: Int8s
+    urgency: Float64s
+    throttle: Float64s
+
+
+def minds_of(population: Population) -> Minds:
+    """Return those columns; stale when the tables grow."""
+    tables = (population.mind, population.motor, population.fish)
+    return Minds(
+        *(
+            next(getattr(table, name) for table in tables if hasattr(table, name))
+            for name in Minds._fields
+        )
+    )

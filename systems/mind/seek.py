@@ -1,0 +1,198 @@
+"""Seeking: the nearest prey of who hunts, the nearest mate of who courts, and food by its smell.
+
+Fishes are sought in the crowd's columns in squares that widen until enough are seen (FINDINGS 5): near by where there
+are many, to the end of sight where there are few. Smell comes from all sides and reaches farther than sight.
+"""
+
+from math import sqrt
+from typing import Final
+
+from components.arrays import Int32s, Int64s
+from components.chance import SEX, uniform
+from components.kernels import inlined, row
+from components.mind import Intention
+from components.sightline import in_sight
+from components.trigonometry import arc
+from systems.mind.beware import can_swallow, sight_of
+from systems.mind.grid import Crowd
+from systems.mind.perceive import NEIGHBOURS, Attention, first_not_above, in_view, insert
+from systems.mind.scene import Scene
+from systems.mind.sparse import LONGEST_RUN, Sparse, find_sparse_runs
+
+SMELL: Final = 1.5
+"""Smell over sight [m], whatever the water's clarity."""
+
+SCHOOLED: Final = 0.5
+"""b1: a fish in a school is harder to catch (FINDINGS 2)."""
+
+TURN: Final = 0.2
+"""b2: and one that lies aside."""
+
+LOYALTY: Final = 0.7
+"""The cost of what one is after already, over its own."""
+
+READY: Final = 0.25
+"""Libido from which a fish answers a mate."""
+
+_MOST_TESTED: Final = 2048
+_WIDEST: Final = 64
+_PI: Final = 3.141592653589793
+_SCHOOL: Final = int(Intention.SCHOOL)
+
+
+@row
+def is_male(seed: int, identity: int) -> bool:
+    """Return the sex of a fish, drawn by its id."""
+    return uniform(seed, SEX, 0, identity) < 0.5
+
+
+@inlined
+def _is_prey(scene: Scene, me: int, other: int, taken: Int64s) -> bool:
+    crowd = scene.crowd
+    if scene.senses.eats[crowd.species[me], crowd.species[other]] == 0:
+        return False
+    by = taken[crowd.row[other]]
+    return can_swallow(crowd.length[me], crowd.length[other]) and (by < 0 or by == crowd.id[me])
+
+
+@inlined
+def suits(scene: Scene, me: int, other: int, male: bool) -> bool:
+    """Return whether `other` may be the mate of `me`: of its kind, the other sex, ready and free, or its suitor."""
+    crowd = scene.crowd
+    if crowd.species[other] != crowd.species[me] or other == me:
+        return False
+    courting = crowd.courting[other]
+    if courting >= 0 and courting != crowd.id[me]:
+        return False
+    if courting < 0 and crowd.libido[other] < READY:
+        return False
+    return is_male(scene.seed, crowd.id[other]) != male
+
+
+@inlined
+def _visible(scene: Scene, me: int, other: int) -> bool:
+    crowd = scene.crowd
+    return in_sight(
+        scene.terrain, crowd.x[me], crowd.y[me], crowd.z[me],
+        crowd.x[other], crowd.y[other], crowd.z[other],
+    )  # fmt: skip
+
+
+@row
+def _search(
+    scene: Scene, me: int, taken: Int64s, mates: bool, attention: Attention, piece: int
+) -> int:
+    """List the nearest prey, or mates, in view; return how many."""
+    crowd, plan, senses = scene.crowd, scene.plan, scene.senses
+    sought, distance = attention.sought[piece], attention.sought_distance[piece]
+    x, y, z, length = crowd.x[me], crowd.y[me], crowd.z[me], crowd.length[me]
+    sight = senses.sight[crowd.species[me]]
+    cx, cy = crowd.column[me] // plan.columns, crowd.column[me] % plan.columns
+    male = is_male(scene.seed, crowd.id[me])
+    found, tested, wide = 0, 0, 1
+    while True:
+        found = tested = 0
+        reach = plan.cell * wide
+        for i in range(max(cx - wide, 0), min(cx + wide + 1, plan.columns)):
+            for j in range(max(cy - wide, 0), min(cy + wide + 1, plan.columns)):
+                begin = crowd.first[i * plan.columns + j]
+                end = crowd.first[i * plan.columns + j + 1]
+                if begin == end:
+                    continue
+                begin = first_not_above(crowd.layer, begin, end, crowd.layer[me] - wide)
+                end = first_not_above(crowd.layer, begin, end, crowd.layer[me] + wide + 1)
+                if tested > _MOST_TESTED:
+                    end = begin
+                tested += end - begin
+                for k in range(begin, end):
+                    dx, dy, dz = crowd.x[k] - x, crowd.y[k] - y, crowd.z[k] - z
+                    square = dx * dx + dy * dy + dz * dz
+                    far = min(
+                        sight_of(sight, scene.habitat.visibility, length, crowd.length[k]), reach
+                    )
+                    if square > far * far or k == me:
+                        continue
+                    if found == NEIGHBOURS and square >= distance[NEIGHBOURS - 1]:
+                        continue
+                    if not (suits(scene, me, k, male) if mates else _is_prey(scene, me, k, taken)):
+                        continue
+                    if in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me]):
+                        found = insert(k, square, sought, distance, found)
+        enough = 1 if mates else NEIGHBOURS
+        most = min(2.5 * sight, scene.habitat.visibility)
+        if found >= enough or tested > _MOST_TESTED or reach >= most or wide >= _WIDEST:
+            return found
+        wide *= 2
+
+
+@row
+def _cost(crowd: Crowd, me: int, other: int, far: float) -> float:
+    """Return d (1 + b1 S + b2 E / pi): what it takes to catch it; S = 1 in a school, E the angle to turn."""
+    dx, dy, dz = (
+        crowd.x[other] - crowd.x[me],
+        crowd.y[other] - crowd.y[me],
+        crowd.z[other] - crowd.z[me],
+    )
+    along = (dx * crowd.hx[me] + dy * crowd.hy[me] + dz * crowd.hz[me]) / (far + 1e-9)
+    along = min(max(along, -1.0), 1.0)
+    turn = arc(along, sqrt(1.0 - along * along))
+    schooled = SCHOOLED if crowd.intention[other] == _SCHOOL else 0.0
+    return far * (1.0 + schooled + TURN * turn / _PI)
+
+
+@row
+def seek_prey(
+    scene: Scene, me: int, kept: int, taken: Int64s, attention: Attention, piece: int
+) -> tuple[int, float]:
+    """Return the place of the prey that costs least, -1 for none, and its distance [m].
+
+    `kept` is the place of the prey it is after, -1 for none: it stays with it unless another costs much less.
+    """
+    crowd = scene.crowd
+    found = _search(scene, me, taken, False, attention, piece)
+    best, least, near = -1, 1e18, 1e18
+    for k in range(found):
+        other = attention.sought[piece, k]
+        far = sqrt(attention.sought_distance[piece, k])
+        cost = _cost(crowd, me, other, far)
+        if other == kept:
+            cost *= LOYALTY
+        if cost < least and _visible(scene, me, other):
+            best, least, near = other, cost, far
+    return best, near
+
+
+@row
+def seek_mate(
+    scene: Scene, me: int, taken: Int64s, attention: Attention, piece: int
+) -> tuple[int, float]:
+    """Return the place of the nearest mate in view, -1 for none, and its distance [m]."""
+    found = _search(scene, me, taken, True, attention, piece)
+    for k in range(found):
+        other = attention.sought[piece, k]
+        if _visible(scene, me, other):
+            return other, sqrt(attention.sought_distance[piece, k])
+    return -1, 1e18
+
+
+@row
+def smell_food(
+    sparse: Sparse, x: float, y: float, z: float, reach: float, kept: int, runs: Int32s
+) -> tuple[int, float]:
+    """Return the row of the nearest food within `reach` [m] of (x, y, z), -1 for none, and its distance [m].
+
+    `kept` is the row of what it is after, -1 for none.
+    """
+    best, row = reach * reach, -1
+    found = find_sparse_runs(sparse, x, y, z, runs)
+    for run in range(found):
+        begin, end = runs[2 * run], runs[2 * run + 1]
+        for k in range(begin, end, (end - begin) // LONGEST_RUN + 1):
+            dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
+            square = dx * dx + dy * dy + dz * dz
+            if sparse.what[k] == kept:
+                square *= LOYALTY * LOYALTY
+            if square < best:
+                best, row = square, sparse.what[k]
+    far = sqrt(best)
+    return row, (far / LOYALTY if row == kept else far)

@@ -1,0 +1,112 @@
+"""Shoals: what a fish sees of many of its kind farther off than it tells one from another.
+
+Their number, mean place and mean heading over squares of the plan, summed in whole numbers so that the order of
+summation cannot matter.
+"""
+
+from typing import Final
+
+import numba
+import numpy as np
+
+from components.arrays import Float64s, Int8s
+from components.kernels import inlined, loop, row
+from systems.mind.grid import SERIAL_BELOW, Crowd, Plan
+
+FIXED: Final = 65536.0
+"""Whole numbers to a metre, or to a unit of heading, in the sums."""
+
+
+@row
+def _gather_strip(strip: int, plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
+    """Sum the shoals over one strip of squares, which no other strip touches."""
+    crowd.shoal[:, strip * plan.squares : (strip + 1) * plan.squares] = 0
+    begin = crowd.first[strip * plan.block * plan.columns]
+    end = crowd.first[min((strip + 1) * plan.block, plan.columns) * plan.columns]
+    kind = square = -1
+    number = x = y = z = u = v = w = 0
+    for k in range(begin, end + 1):
+        here = -1
+        if k < end:
+            here = strip * plan.squares + crowd.column[k] % plan.columns // plan.block
+        if k == end or here != square or crowd.species[k] != kind:
+            if number > 0 and schooling[kind] != 0:
+                sums = crowd.shoal[kind, square]
+                sums[0] += number
+                sums[1], sums[2], sums[3] = sums[1] + x, sums[2] + y, sums[3] + z
+                sums[4], sums[5], sums[6] = sums[4] + u, sums[5] + v, sums[6] + w
+            if k == end:
+                return
+            kind, square = crowd.species[k], here
+            number = x = y = z = u = v = w = 0
+        number += 1
+        x, y, z = (
+            x + int(crowd.x[k] * FIXED),
+            y + int(crowd.y[k] * FIXED),
+            z + int(crowd.z[k] * FIXED),
+        )
+        u, v = u + int(crowd.hx[k] * FIXED), v + int(crowd.hy[k] * FIXED)
+        w += int(crowd.hz[k] * FIXED)
+
+
+@row
+def _gather_serially(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
+    for strip in range(plan.squares):
+        _gather_strip(strip, plan, schooling, crowd)
+
+
+@loop
+def _gather_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
+    for strip in numba.prange(plan.squares):
+        _gather_strip(strip, plan, schooling, crowd)
+
+
+def sum_shoals(plan: Plan, schooling: Int8s, crowd: Crowd, number: int) -> None:
+    """Sum the shoals of a crowd of `number` fishes; `schooling` is per species, (S,)."""
+    if number < SERIAL_BELOW:
+        _gather_serially(plan, schooling, crowd)
+    else:
+        _gather_all(plan, schooling, crowd)
+
+
+@inlined
+def see_shoal(plan: Plan, crowd: Crowd, me: int, sight: float, shoal: Float64s) -> float:
+    """Write offset [m] and mean heading of one's own kind over nine squares, (6,); return how many.
+
+    None where their middle is out of sight. The fish itself is left out.
+    """
+    side, kind = plan.squares, crowd.species[me]
+    cx, cy = (
+        crowd.column[me] // plan.columns // plan.block,
+        crowd.column[me] % plan.columns // plan.block,
+    )
+    number = np.int64(-1)
+    x, y, z = (
+        -np.int64(crowd.x[me] * FIXED),
+        -np.int64(crowd.y[me] * FIXED),
+        -np.int64(crowd.z[me] * FIXED),
+    )
+    u, v, w = (
+        -np.int64(crowd.hx[me] * FIXED),
+        -np.int64(crowd.hy[me] * FIXED),
+        -np.int64(crowd.hz[me] * FIXED),
+    )
+    for i in range(max(cx - 1, 0), min(cx + 2, side)):
+        for j in range(max(cy - 1, 0), min(cy + 2, side)):
+            at = i * side + j
+            number += crowd.shoal[kind, at, 0]
+            x += crowd.shoal[kind, at, 1]
+            y += crowd.shoal[kind, at, 2]
+            z += crowd.shoal[kind, at, 3]
+            u += crowd.shoal[kind, at, 4]
+            v += crowd.shoal[kind, at, 5]
+            w += crowd.shoal[kind, at, 6]
+    if number <= 0:
+        return 0.0
+    whole = number * FIXED
+    dx, dy, dz = x / whole - crowd.x[me], y / whole - crowd.y[me], z / whole - crowd.z[me]
+    if dx * dx + dy * dy + dz * dz > sight * sight:
+        return 0.0
+    shoal[0], shoal[1], shoal[2] = dx, dy, dz
+    shoal[3], shoal[4], shoal[5] = u / whole, v / whole, w / whole
+    return float(number)
