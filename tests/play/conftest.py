@@ -1,6 +1,6 @@
 """A small bare sea with sardines, barracudas and food, in which tests set up by hand who eats whom."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -90,10 +90,15 @@ class Table:
 def sea(tmp_path_factory: pytest.TempPathFactory) -> Sea:
     """Build the world of a sea with certain fishes and food."""
 
-    def build(fishes: str = f"{SCHOOL}, {HUNTERS}", food: str = PLANKTON, seed: int = 3) -> World:
+    def build(
+        fishes: str = f"{SCHOOL}, {HUNTERS}",
+        food: str = PLANKTON,
+        seed: int = 3,
+        mods: Sequence[Path] = (),
+    ) -> World:
         path = tmp_path_factory.mktemp("sea") / "pantry.yaml"
         path.write_text(SEA.format(fishes=fishes, food=food), encoding="utf-8")
-        return World.build(load(Path(path)), seed)
+        return World.build(load(path, mods), seed)
 
     return build
 
