@@ -78,4 +78,5 @@ def habitat_of(level: Level) -> Habitat:
         surface=float(water.surface_c),
         swing=float(water.swing_c),
         fall=(water.surface_c - bottom) / level.world.depth_m,
+        visibility=float(water.visibility_m),
     )
