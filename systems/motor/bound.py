@@ -24,6 +24,8 @@ _ROOM: Final = 0.75
 _INWARD: Final = 0.9
 _AHEAD_SECONDS: Final = 0.4
 _SAFELY: Final = 1.4
+_PRESSING: Final = 0.85
+"""A boundary is pressing, yet no matter of life and death: nobody makes a fast start into open water."""
 
 
 class Swimmers(NamedTuple):
@@ -89,7 +91,7 @@ def bound_some(terrain: Terrain, girth: Float64s, begin: int, end: int, swimmers
             heading,
         )
         here = turn_inward(terrain, x, y, z, room, heading)
-        swimmers.urgency[i] = max(swimmers.urgency[i], here, there)
+        swimmers.urgency[i] = max(swimmers.urgency[i], min(max(here, there), _PRESSING))
 
 
 @loop

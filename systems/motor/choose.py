@@ -1,6 +1,6 @@
 """Choice of the segment to play: swims by gear and mood, turns by how far aside the direction lies (papers/000, 6.1).
 
-A gradual turn serves from 35 degrees on, a sharp one beyond 60 or in danger, a fast start for dear life beyond 70. What
+A gradual turn serves from 45 degrees on, a sharp one beyond 60 or in danger, a fast start for dear life beyond 70. What
 is left of a turn is known at each of its entries, so that one which would lead past the direction is broken off.
 """
 
@@ -13,8 +13,8 @@ from components.arrays import Float64s, Int8s, Int32s
 from components.kernels import inlined
 from components.repertoire import Pattern, RepertoireLibrary, turn_left_over
 
-TURN_FROM: Final = 0.61
-"""[rad] to the side, 35 degrees, from which a turn segment is worth while."""
+TURN_FROM: Final = 0.79
+"""[rad] to the side, 45 degrees, from which a turn segment is worth while; below, a fish steers finely (6.2)."""
 
 TURN_SHARE: Final = 0.6
 """... and the share of the segment's own turn from which it is."""

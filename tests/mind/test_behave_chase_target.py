@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from components.arrays import Float64s
-from systems.mind.behave.chase_target import chase_target
+from systems.mind.behave.chase_target import chase_target, turn_finely
+from systems.motor.choose import TURN_FROM
 
 BARRACUDA = np.array([0.5, 1.05, 1.5])
 TANG = np.array([0.85, 1.64, 2.44])
@@ -57,3 +58,19 @@ def test_it_steers_to_where_the_target_will_be(tank: ModuleType) -> None:
     chase_target(scene.crowd, 0, TANG, 2.0, 0.0, 0.0, 0.0, 0.3, 0.0, 0.5, scene.out)
     assert scene.out[0] > 0.0
     assert scene.out[1] > 0.1
+
+
+@pytest.mark.parametrize("bearing", [5, 30, 60, 120, 175, 180, -90])
+def test_a_fine_turn_keeps_within_what_needs_no_turn_segment(
+    tank: ModuleType, bearing: int
+) -> None:
+    scene = tank.Tank(
+        np.array([[0.0, 0, -5]]), np.array([[1.0, 0, 0]]), np.array([0.25]), TANG[None]
+    )
+    turn = np.radians(bearing)
+    scene.out[:] = 2.0 * np.cos(turn), 2.0 * np.sin(turn), 0.0
+    turn_finely(scene.crowd, 0, scene.out)
+    asked = np.arctan2(scene.out[1], scene.out[0])
+    assert abs(asked) < TURN_FROM
+    assert abs(asked) == pytest.approx(min(abs(turn), np.radians(40)), abs=0.01)
+    assert bearing == 180 or asked * turn > 0.0

@@ -69,12 +69,12 @@ def test_every_fish_turns_to_its_heading(
 @pytest.mark.parametrize(
     ("yaw", "pattern"),
     [
-        (50.0, Pattern.TURN_LEFT),
-        (-50.0, Pattern.TURN_RIGHT),
+        (58.0, Pattern.TURN_LEFT),
+        (-58.0, Pattern.TURN_RIGHT),
         (90.0, Pattern.TURN_SHARP_LEFT),
         (-90.0, Pattern.TURN_SHARP_RIGHT),
-        (25.0, None),
-        (-25.0, None),
+        (40.0, None),
+        (-40.0, None),
     ],
 )
 def test_a_turn_segment_serves_a_direction_far_to_the_side(

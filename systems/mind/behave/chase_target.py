@@ -16,9 +16,9 @@ _LONGEST_LEAD: Final = 1.5
 _CLOSING: Final = 1.2
 _CAREFUL_WITHIN: Final = 8.0
 _TURN_AHEAD: Final = 0.5
-_FINE_COSINE: Final = 0.84
+_FINE_COSINE: Final = 0.766
 _RIGHT_BEHIND: Final = 0.04
-_FINE_SINE: Final = 0.5426
+_FINE_SINE: Final = 0.6428
 
 
 @inlined
