@@ -26,15 +26,27 @@ class Command(NamedTuple):
     "full stop"
     photograph: int = 0
     "release the shutter; counts on the tick at which it turns from 0 to 1"
+    become: int = 0
+    "become the fish before the bow, or let go of the one that the player is; counts as it turns to 1"
+    eat: int = 0
+    "as a fish: go for what is before the mouth, and open it"
+    hide: int = 0
+    "as a fish: swim for the nearest shelter"
+    view: int = 0
+    "as a fish: look through its eyes, or from behind it; counts as it turns to 1"
+
+
+BUTTONS: Final = ("stop", "photograph", "become", "eat", "hide", "view")
+"""The orders that are 0 or 1; the others are axes."""
 
 
 class CommandTable(Table):
     """One row: the orders of this tick and the one before, as integers in `Command`'s order."""
 
     now: Int32s = column(np.int32, len(Command._fields))
-    "this tick's orders, (capacity, 6)"
+    "this tick's orders, (capacity, 10)"
     before: Int32s = column(np.int32, len(Command._fields))
-    "the orders of the tick before, (capacity, 6)"
+    "the orders of the tick before, (capacity, 10)"
 
     def __init__(self) -> None:
         super().__init__(count=1)
@@ -43,3 +55,12 @@ class CommandTable(Table):
         """Take the orders of the tick that begins."""
         self.before[0] = self.now[0]
         self.now[0] = command
+
+    def order(self, name: str) -> int:
+        """Return what is ordered this tick under a name of `Command`."""
+        return int(self.now[0, Command._fields.index(name)])
+
+    def pressed(self, name: str) -> bool:
+        """Return whether the button `name` went down this tick."""
+        at = Command._fields.index(name)
+        return bool(self.now[0, at] and not self.before[0, at])

@@ -32,6 +32,16 @@ BINDINGS: Final[dict[str, tuple[str, int]]] = {
 
 STOP_KEYS: Final = frozenset({"x", "pad_b"})
 SHUTTER_KEYS: Final = frozenset({"enter", "p", "mouse_left", "pad_a"})
+ONCE: Final[dict[str, str]] = {"b": "become", "pad_y": "become", "v": "view", "pad_x": "view"}
+"""The order that a key gives for the one tick after it goes down."""
+HELD: Final[dict[str, str]] = {
+    "e": "eat",
+    "mouse_right": "eat",
+    "pad_rightshoulder": "eat",
+    "g": "hide",
+    "pad_leftshoulder": "hide",
+}
+"""The order that a key gives for as long as it is down."""
 
 STICKS: Final[dict[str, tuple[str, float]]] = {
     "leftx": ("turn", -1.0),
@@ -76,13 +86,19 @@ class Controls:
         self._pending = {"throttle": 0.0, "turn": 0.0, "pitch": 0.0}
         self._shots = 0
         self._shutter_open = False
+        self._waiting: list[str] = []
+        self._given: str | None = None
 
     def press(self, name: str) -> bool:
         """Note that `name` went down; return whether it means anything to the pilot."""
         if name in SHUTTER_KEYS:
             self._shots = min(self._shots + 1, _MOST_SHOTS)
             return True
-        if name not in BINDINGS and name not in STOP_KEYS:
+        if name in ONCE:
+            if len(self._waiting) < _MOST_SHOTS:
+                self._waiting.append(ONCE[name])
+            return True
+        if name not in BINDINGS and name not in STOP_KEYS and name not in HELD:
             return False
         self._held.add(name)
         self._tapped.add(name)
@@ -98,6 +114,7 @@ class Controls:
         self._tapped.clear()
         self._stick.clear()
         self._shots = 0
+        self._waiting.clear()
         self._pending = dict.fromkeys(self._pending, 0.0)
 
     def mouse_moved(self, dx: float, dy: float) -> None:
@@ -127,10 +144,15 @@ class Controls:
             demand["pitch"] = -demand["pitch"]
         for axis in self._pending:
             demand[axis] += self._spend(axis)
-        stop = int(bool((self._held | self._tapped) & STOP_KEYS))
+        down = self._held | self._tapped
         self._tapped.clear()
+        buttons = {HELD[name]: 1 for name in down if name in HELD}
+        buttons |= dict.fromkeys(self._once(), 1)
         return Command(
-            **{axis: clamp(demand[axis]) for axis in AXES}, stop=stop, photograph=self._shutter()
+            **{axis: clamp(demand[axis]) for axis in AXES},
+            stop=int(bool(down & STOP_KEYS)),
+            photograph=self._shutter(),
+            **buttons,
         )
 
     def _push(self, axis: str, demand: float) -> None:
@@ -150,6 +172,14 @@ class Controls:
             axis, way = STICKS[stick]
             beyond = max(0.0, min(1.0, abs(deflection)) - DEAD_ZONE) / (1.0 - DEAD_ZONE)
             demand[axis] += way * copysign(beyond * beyond, deflection) * FULL
+
+    def _once(self) -> list[str]:
+        """Give the order that has waited longest, for one tick; the same one twice needs a tick between."""
+        if not self._waiting or self._waiting[0] == self._given:
+            self._given = None
+            return []
+        self._given = self._waiting.pop(0)
+        return [self._given]
 
     def _shutter(self) -> int:
         """Open the shutter for one tick a press; two presses need a closed tick between."""

@@ -1,7 +1,6 @@
-"""Films a replay through the submarine's eye, into an mp4 and the picture of its best moment."""
+"""Films a replay through the player's eyes, into an mp4 and the picture of its best moment."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -9,12 +8,12 @@ from components.camera import Camera
 from components.clock import TICKS_PER_SECOND
 from components.command import Command
 from reefgame.console import Report, progress_bar, say
+from reefgame.eyes import eyes
 from reefgame.film import FRAMES_PER_SECOND, Film, check_film
 from reefgame.output import replacing
 from reefgame.replay import Replay
 from reefgame.scene import Scene
 from reefgame.world import World
-from systems.play.judge import viewfinder
 from systems.view.target import Target, UInt8s, write_png
 
 COCKPIT_SLOPE: Final = 0.4663
@@ -56,8 +55,8 @@ def film(
 
 
 def cockpit(world: World, alpha: float = 1.0) -> Camera:
-    """Return the submarine's camera, `alpha` of the way from the last tick to this."""
-    return replace(viewfinder(world.submarine, alpha), slope=COCKPIT_SLOPE)
+    """Return the player's camera, the submarine's or the fish's, `alpha` of the way from the last tick to this."""
+    return eyes(world, alpha, COCKPIT_SLOPE)
 
 
 def draw(scene: Scene, target: Target, world: World) -> UInt8s:

@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Final, TextIO
 
 from components.clock import TICKS_PER_SECOND
-from components.command import FULL, Command
+from components.command import BUTTONS, FULL, Command
 from reefgame import VERSION
 from reefgame.content.errors import ContentError, Problem
 from reefgame.world import World
@@ -35,7 +35,6 @@ LARGEST: Final = 64 << 20
 _HEADER = ("game", "level", "content", "seed", "checksum-every")
 _PAIR = re.compile(r"([a-z]+)=(-?[0-9]{1,3})$")
 _SUM = re.compile(r"([a-z]+)=([0-9a-f]{16})$")
-_BUTTONS = ("stop", "photograph")
 
 
 @dataclass(frozen=True)
@@ -240,7 +239,7 @@ class _Reader:
             if name not in Command._fields:
                 allowed = ", ".join(Command._fields)
                 raise _error(self.path, number, f"unknown order '{name}', allowed are {allowed}")
-            least, most = (0, 1) if name in _BUTTONS else (-FULL, FULL)
+            least, most = (0, 1) if name in BUTTONS else (-FULL, FULL)
             if not least <= int(value) <= most:
                 raise _error(self.path, number, f"{name}={value} is not from {least} to {most}")
             changes[name] = int(value)

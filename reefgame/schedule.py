@@ -1,6 +1,8 @@
 """The schedule: everything that happens in a tick of 1/60 s, in order, once (DESIGN 3).
 
 pilot    the submarine obeys the player                                  systems/player/pilot.py
+become   the player turns into a fish, and back                          systems/player/become.py
+obey     that fish does as the player orders                             systems/player/obey.py
 think    a quarter of the fishes perceive, intend and behave             systems/mind/think.py
 bound    ground, rocks, surface and rim turn fishes inward               systems/motor/bound.py
 control  the secondary controller chooses segments and steers            systems/motor/control.py
@@ -19,6 +21,8 @@ from systems.motor.move import Move
 from systems.play.feed import Feed
 from systems.play.judge import Judge
 from systems.play.spawn import Spawn
+from systems.player.become import Become
+from systems.player.obey import Obey
 from systems.player.pilot import Pilot
 
 if TYPE_CHECKING:
@@ -52,9 +56,11 @@ def spawner(world: "World") -> Spawn:
 def schedule(world: "World") -> tuple[System, ...]:
     """Return the systems of a tick in their order."""
     fishes, terrain, clock = world.population, world.terrain, world.clock
-    senses = world.senses
+    senses, avatar, orders = world.senses, world.avatar, world.commands
     return (
-        Pilot(world.submarine, world.commands, terrain),
+        Pilot(world.submarine, orders, terrain, avatar),
+        Become(avatar, orders, fishes, world.submarine, terrain, clock),
+        Obey(avatar, orders, fishes, world.food, senses, terrain, clock),
         Think(fishes, senses, terrain, world.submarine, clock, world.food, world.habitat),
         Bound(fishes, senses, terrain),
         Control(fishes, world.library, clock),
@@ -67,7 +73,8 @@ def schedule(world: "World") -> tuple[System, ...]:
             world.level.objective.par_s,
             fishes,
             world.submarine,
-            world.commands,
+            orders,
+            avatar,
             terrain,
             clock,
         ),

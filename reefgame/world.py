@@ -12,6 +12,7 @@ from components.entities import Entities
 from components.fish import Population
 from components.habitat import Habitat
 from components.objective import ObjectiveTable, Photograph
+from components.possession import AvatarTable
 from components.repertoire import RepertoireLibrary, pack
 from components.senses import SenseTable, sense_table
 from components.species import Species
@@ -50,6 +51,7 @@ class World:
         self.senses: SenseTable = sense_table(self.species, self.library)
         self.submarine = _submarine(content.level)
         self.commands = CommandTable()
+        self.avatar = AvatarTable()
         self.goals = _goals(content)
         self.objective = ObjectiveTable(count=len(self.goals))
         self.spawn = spawner(self)
@@ -76,6 +78,7 @@ class World:
             "clock": self.clock,
             "commands": self.commands,
             "submarine": self.submarine,
+            "avatar": self.avatar,
             "roster": self.roster,
             "cohorts": self.cohorts,
             "restocks": self.restocks,

@@ -1,7 +1,5 @@
 """The dive: the pilot's window, the camera, and the way from keys to ticks (DESIGN 3, 8)."""
 
-from dataclasses import replace
-
 from pyglet import gl
 from pyglet.image import Texture
 from pyglet.sprite import Sprite
@@ -9,6 +7,7 @@ from pyglet.sprite import Sprite
 from components.clock import TICKS_PER_SECOND
 from components.command import Command
 from reefgame.controls import Controls
+from reefgame.eyes import eyes
 from reefgame.progress import Record, Result
 from reefgame.screens import theme
 from reefgame.screens.briefing import Briefing
@@ -20,7 +19,6 @@ from reefgame.screens.pause import PauseScreen
 from reefgame.screens.result import ResultScreen
 from reefgame.screens.screen import Screen, trace
 from reefgame.screens.viewfinder import Viewfinder, frame_box, slope_for
-from systems.play.judge import viewfinder
 
 _FLASH_SECONDS = 0.35
 _PRINT_SECONDS = 4.0
@@ -53,6 +51,7 @@ class DiveScreen(Screen):
         self._before = Record()
         self._develop = False
         self._shots = 0
+        self._was = -1
 
     def restart(self) -> None:
         """Begin the same dive anew."""
@@ -87,7 +86,7 @@ class DiveScreen(Screen):
         self._flash: Panel = c.panel(0, 0, c.width, c.height, theme.CLEAR, order=6)
         self._print: Sprite | None = None
         self._border: Panel = c.panel(0, 0, 0, 0, (244, 248, 246, 255), radius=3 * c.unit, order=4)
-        hint(c, "H  help     Esc  pause")
+        hint(c, "B  become a fish     I  inspect     H  help     Esc  pause")
         self._show()
 
     def update(self, seconds: float) -> None:
@@ -104,11 +103,30 @@ class DiveScreen(Screen):
     def _after_tick(self, command: Command) -> None:
         self.recording.tick(command)
         self.briefing.notice(command)
+        self._notice_avatar()
         if self.world.goals and int(self.world.objective.shots[0]) != self._shots:
             self._shots = int(self.world.objective.shots[0])
             self._photographed()
         if self.recording.warning and self.recording.warning not in self.game.messages:
             self.game.say(self.recording.warning)
+
+    def _notice_avatar(self) -> None:
+        """Say what became of the player in the tick that was just played."""
+        world, at = self.world, self.world.clock.now - 1
+        identity = int(world.avatar.fish[0])
+        if identity != self._was:
+            self._was = identity
+            trace("became fish" if identity >= 0 else "became pilot")
+            if identity >= 0:
+                kind = world.population.fish.species[world.population.row(identity)]
+                name = world.species[kind].title.lower()
+                self._tell(f"You are {'an' if name[0] in 'aeiou' else 'a'} {name}")
+            elif int(world.avatar.lost_at[0]) == at:
+                self._tell("You were eaten: back at the helm")
+            else:
+                self._tell("Back at the helm")
+        elif int(world.avatar.refused_at[0]) == at:
+            self._tell("No fish before the bow: turn to one within 15 m")
 
     def _photographed(self) -> None:
         goal, objective = self.world.goals[0], self.world.objective
@@ -148,7 +166,7 @@ class DiveScreen(Screen):
     def _show(self) -> None:
         framed = int(self.world.objective.framed[0]) if self.world.goals else 0
         done = bool(self.world.goals and self.world.objective.done[0])
-        self._finder.show(framed, done)
+        self._finder.show(-1 if self.world.avatar.attached else framed, done)
         self._hud.show("" if done else self.briefing.prompt, self._message, self._message_age)
         bright = max(0.0, 1.0 - self._since_shot / _FLASH_SECONDS)
         self._flash.paint((255, 255, 250, round(210 * bright * bright)))
@@ -175,8 +193,8 @@ class DiveScreen(Screen):
 
     def draw_sea(self, width: int, height: int) -> None:
         """Draw what the pilot sees, and keep it where a photograph was taken."""
-        camera = viewfinder(self.world.submarine, self.stage.alpha)
-        self.stage.draw(replace(camera, slope=slope_for(width, height)), width, height)
+        camera = eyes(self.world, self.stage.alpha, slope_for(width, height))
+        self.stage.draw(camera, width, height)
         if self._develop:
             self._develop = False
             self._copy_frame(width, height)

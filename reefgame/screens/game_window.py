@@ -23,6 +23,7 @@ _SAME_KEY: Final = {"return": "enter", "num_enter": "enter"}
 _LONGEST_FRAME: Final = 0.25
 """[s] of a frame; more is dropped: the window was dragged, the machine slept."""
 _LEFT_BUTTON: Final = 1
+_RIGHT_BUTTON: Final = 4
 
 
 class GameWindow:
@@ -216,14 +217,25 @@ class GameWindow:
     def on_mouse_drag(
         self, x: float, y: float, dx: float, dy: float, _buttons: int, _modifiers: int
     ) -> bool:
-        """Steer or point, with a button held."""
+        """Steer, drag or point, with a button held."""
+        if self.game.stack.open and not self._captured:
+            wide, high = self._place(dx, dy)
+            self.top.dragged(*self._place(x, y), wide, high)
         return self.on_mouse_motion(x, y, dx, dy)
 
     def on_mouse_press(self, x: float, y: float, button: int, _: int) -> bool:
-        """Choose or photograph."""
+        """Choose or photograph; the right button is a key like others."""
         if button == _LEFT_BUTTON and self.game.stack.open:
             self.top.clicked(*self._place(x, y))
             self._settle()
+        elif button == _RIGHT_BUTTON and self.game.stack.open:
+            self._pressed("mouse_right")
+        return True
+
+    def on_mouse_release(self, _x: float, _y: float, button: int, _: int) -> bool:
+        """Hear that the right button came up."""
+        if button == _RIGHT_BUTTON and self.game.stack.open:
+            self._released("mouse_right")
         return True
 
     def on_mouse_scroll(self, _x: float, _y: float, _across: float, up: float) -> bool:

@@ -14,8 +14,12 @@ CONTROLS: Final = (
     ("Space  R  \u00b7  C  F  Ctrl", "rise  \u00b7  dive"),
     ("X", "full stop"),
     ("Enter  P  \u00b7  left click", "photograph"),
+    ("B", "become the fish before the bow, let go"),
+    ("E  \u00b7  right click", "as a fish: eat (hold)"),
+    ("G  \u00b7  V", "as a fish: hide (hold)  \u00b7  from behind"),
+    ("I", "inspect: why each fish does what it does"),
     ("Esc  \u00b7  F11  \u00b7  F12", "pause  \u00b7  full screen  \u00b7  picture"),
-    ("gamepad", "sticks, triggers, A photo, B stop"),
+    ("gamepad", "sticks, triggers, A photo, B stop, Y become"),
 )
 
 

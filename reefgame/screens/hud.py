@@ -3,11 +3,12 @@
 Numbers are rounded first and texts touched only where they differ, so a frame costs little.
 """
 
-from math import degrees, hypot
+from math import atan2, degrees, hypot
 
 from components.clock import TICKS_PER_SECOND
 from reefgame.screens import theme
 from reefgame.screens.canvas import Canvas, Panel, Text
+from reefgame.screens.fish_panel import FishPanel
 from reefgame.screens.theme import Colour, faded
 from reefgame.world import World
 
@@ -196,6 +197,7 @@ class Hud:
         self._shots = canvas.text(
             "", right - 14 * u, top - 42 * u, theme.SMALL, theme.MIST, "right baseline", order=1
         )
+        self._fish = FishPanel(canvas, world)
         self._prompt = Banner(canvas, canvas.height - 112 * u, theme.BODY, theme.FOAM)
         self._message = Banner(canvas, canvas.height * 0.66, theme.LARGE, theme.SUNLIT)
 
@@ -219,14 +221,14 @@ class Hud:
 
     def show(self, prompt: str, message: str, age: float) -> None:
         """Show the world as it is, a prompt, and a message that was given `age` seconds ago."""
-        ship, objective = self._world.submarine, self._world.objective
-        heading = bearing(float(ship.yaw[0]))
-        x, y, z = ship.velocity[0]
+        depth, speed, yaw, setting = self._helm()
+        heading, objective = bearing(yaw), self._world.objective
         self.compass.show(heading)
-        self._depth.show(f"{-float(ship.position[0, 2]):.1f} m")
-        self._speed.show(f"{hypot(x, y, z):.1f} m/s")
+        self._depth.show(f"{depth:.1f} m")
+        self._speed.show(f"{speed:.1f} m/s")
         self._heading.show(f"{round(heading) % 360:03d}\u00b0")
-        self._throttle.show(float(ship.throttle[0]))
+        self._throttle.show(setting)
+        self._fish.show()
         seconds = self._world.clock.now // TICKS_PER_SECOND
         self._time.set(f"{seconds // 60}:{seconds % 60:02d}")
         if self._task is not None:
@@ -235,3 +237,16 @@ class Hud:
             self._task.set(f"best so far: {best}" if shots else "no photograph yet")
         self._prompt.show(prompt, 1.0)
         self._message.show(message, (_MESSAGE_SECONDS - age) / _FADE_SECONDS)
+
+    def _helm(self) -> tuple[float, float, float, float]:
+        """Return depth [m], speed [m/s], yaw [rad] and speed setting of what the player is."""
+        ship, avatar, people = self._world.submarine, self._world.avatar, self._world.population
+        identity = int(avatar.fish[0])
+        if identity < 0 or identity not in people:
+            setting, yaw = float(ship.throttle[0]), float(ship.yaw[0])
+            return -float(ship.position[0, 2]), hypot(*ship.velocity[0]), yaw, setting
+        row = people.row(identity)
+        place, last = people.fish.position[row], people.fish.last_position[row]
+        yaw = atan2(float(avatar.gaze[0, 1]), float(avatar.gaze[0, 0]))
+        speed = TICKS_PER_SECOND * hypot(*(place - last))
+        return -float(place[2]), speed, yaw, float(avatar.setting[0])

@@ -62,6 +62,9 @@ class Screen:
     def moved(self, dx: float, dy: float) -> None:
         """The captured mouse moved by (dx, dy)."""
 
+    def dragged(self, x: float, y: float, dx: float, dy: float) -> None:
+        """The pointer moved by (dx, dy) to (x, y) with a button down."""
+
     def clicked(self, _x: float, _y: float) -> None:
         """The left mouse button went down at (x, y)."""
 

@@ -56,16 +56,18 @@ class Viewfinder:
         self.show(0)
 
     def show(self, framed: int, done: bool = False) -> None:
-        """Show that a photograph taken now would hold `framed` animals."""
+        """Show that a photograph taken now would hold `framed` animals; nothing where it is negative."""
         if (framed, done) == self._shown:
             return
         self._shown = (framed, done)
+        if framed < 0:
+            self._paint(theme.CLEAR, theme.CLEAR)
+            self._count.set("")
+            self._pill.hide()
+            return
         enough = framed >= self._wanted > 0 and not done
         line = theme.SUNLIT if enough else faded(theme.FOAM, 0.60 if framed else 0.38)
-        for bracket in self._brackets:
-            bracket.paint(line)
-        self._ring.paint(theme.CLEAR, rim=faded(line, 0.9 if enough else 0.6))
-        self._dot.paint(faded(line, 0.8))
+        self._paint(line, faded(line, 0.9 if enough else 0.6))
         if not self._wanted or done:
             self._count.set("")
             self._pill.hide()
@@ -77,3 +79,9 @@ class Viewfinder:
         )
         wide = self._count.width + 30 * self._unit
         self._pill.place(self._centre - 0.5 * wide, self._low, wide, 26 * self._unit)
+
+    def _paint(self, line: theme.Colour, ring: theme.Colour) -> None:
+        for bracket in self._brackets:
+            bracket.paint(line)
+        self._ring.paint(theme.CLEAR, rim=ring)
+        self._dot.paint(faded(line, 0.8))

@@ -1,8 +1,7 @@
 """A recorded dive, watched: the pilot's window and instruments, and orders that come from the file."""
 
-from dataclasses import replace
-
 from components.command import Command
+from reefgame.eyes import eyes
 from reefgame.replay import Replay
 from reefgame.screens import theme
 from reefgame.screens.game import Game
@@ -10,7 +9,6 @@ from reefgame.screens.hud import Hud, hint, plural
 from reefgame.screens.menu import BACK
 from reefgame.screens.screen import Screen
 from reefgame.screens.viewfinder import Viewfinder, slope_for
-from systems.play.judge import viewfinder
 
 
 class WatchScreen(Screen):
@@ -45,7 +43,8 @@ class WatchScreen(Screen):
             self.game.stage.advance(seconds, self._next)
         objective, world = self.game.stage.world.objective, self.game.stage.world
         if world.goals:
-            self._finder.show(int(objective.framed[0]), bool(objective.done[0]))
+            framed = -1 if world.avatar.attached else int(objective.framed[0])
+            self._finder.show(framed, bool(objective.done[0]))
         over = self._tick >= self._replay.ticks
         self._hud.show("The replay is over" if over else "", "", 99.0)
         part = self._tick / max(self._replay.ticks, 1)
@@ -58,8 +57,7 @@ class WatchScreen(Screen):
     def draw_sea(self, width: int, height: int) -> None:
         """Draw what the pilot saw."""
         stage = self.game.stage
-        camera = viewfinder(stage.world.submarine, stage.alpha)
-        stage.draw(replace(camera, slope=slope_for(width, height)), width, height)
+        stage.draw(eyes(stage.world, stage.alpha, slope_for(width, height)), width, height)
 
     def pressed(self, name: str) -> None:
         """Hold, go on or leave."""

@@ -30,6 +30,7 @@ OPEN: Final = 0.5
 """Gape from which a mouth sucks in."""
 
 _EAT: Final = int(Intention.EAT)
+_OBEY: Final = int(Intention.OBEY)
 _BERTH: Final = 0.03
 _CONFINE_EVERY: Final = 16
 _PIECES: Final = 16
@@ -308,7 +309,8 @@ def open_mouths(
     """
     number = 0
     for i in range(count):
-        if mouths.intention[i] != _EAT or mouths.gape[i] <= OPEN or busy[i]:
+        about = mouths.intention[i]
+        if (about != _EAT and about != _OBEY) or mouths.gape[i] <= OPEN or busy[i]:
             continue
         if mouths.swallowed_by[i] < 0 and _edible(mouths, i, larder, food, places, senses, now):
             claims[number] = i

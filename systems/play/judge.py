@@ -10,14 +10,14 @@ from collections.abc import Sequence
 from components.arrays import Float64s, Int32s
 from components.camera import VIEWFINDER_ASPECT, VIEWFINDER_SLOPE, Camera, camera_at
 from components.clock import TICKS_PER_SECOND, Clock
-from components.command import Command, CommandTable
+from components.command import CommandTable
 from components.fish import Population
 from components.kernels import row
 from components.objective import ObjectiveTable, Photograph
+from components.possession import AvatarTable
 from components.submarine import SubmarineTable
 from components.terrain import Terrain, sees
 
-_SHUTTER = Command._fields.index("photograph")
 _JUDGE_EVERY = TICKS_PER_SECOND // 10
 _POINTS = 1000
 _POINTS_EACH_MORE = 50
@@ -75,7 +75,10 @@ def score(framed: int, wanted: int, seconds: float, par_seconds: float, shots: i
 
 
 class Judge:
-    """Reads population, submarine, commands, terrain and clock; writes the objectives."""
+    """Reads population, submarine, commands, who the player is, terrain and clock; writes the objectives.
+
+    A fish takes no photographs.
+    """
 
     def __init__(
         self,
@@ -85,6 +88,7 @@ class Judge:
         population: Population,
         submarine: SubmarineTable,
         commands: CommandTable,
+        avatar: AvatarTable,
         terrain: Terrain,
         clock: Clock,
     ) -> None:
@@ -94,17 +98,18 @@ class Judge:
         self.population = population
         self.submarine = submarine
         self.commands = commands
+        self.avatar = avatar
         self.terrain = terrain
         self.clock = clock
 
     def __call__(self) -> None:
         """Judge a photograph taken this tick; ten times a second say what one would hold."""
-        shutter = self.commands.now[0, _SHUTTER] and not self.commands.before[0, _SHUTTER]
+        shutter = self.commands.pressed("photograph") and not self.avatar.attached
         if not shutter and self.clock.now % _JUDGE_EVERY:
             return
         camera = viewfinder(self.submarine)
         for index, goal in enumerate(self.goals):
-            framed = self._count(goal, camera)
+            framed = 0 if self.avatar.attached else self._count(goal, camera)
             self.objectives.framed[index] = framed
             if shutter:
                 self._photograph(index, goal, framed)

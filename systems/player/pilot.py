@@ -8,10 +8,13 @@ everywhere.
 
 from typing import Final
 
+import numpy as np
+
 from components.arrays import Float64s, Int32s
 from components.clock import TICK_SECONDS
-from components.command import FULL, CommandTable
+from components.command import FULL, Command, CommandTable
 from components.kernels import row
+from components.possession import AvatarTable
 from components.submarine import HULL_RADIUS, SubmarineTable
 from components.terrain import Terrain, confine
 from components.trigonometry import DEGREE, cosine, sine
@@ -30,6 +33,7 @@ THROTTLE_RATE: Final = 0.9
 _TAU_HULL: Final = 0.9
 _TAU_STOP: Final = 0.35
 _TAU_TURN: Final = 0.22
+_UNMANNED: Final = np.array(Command(stop=1), np.int32)
 
 
 @row
@@ -51,7 +55,7 @@ def turn(
     pitch_rate: Float64s,
     ship: int,
 ) -> None:
-    """Advance heading and pitch [rad] of row `ship` by one tick under `orders` (6,)."""
+    """Advance heading and pitch [rad] of row `ship` by one tick under `orders` (10,)."""
     yaw_rate[ship] = _toward(yaw_rate[ship], orders[1] * (YAW_RATE / FULL), _TAU_TURN)
     pitch_rate[ship] = _toward(pitch_rate[ship], orders[2] * (PITCH_RATE / FULL), _TAU_TURN)
     yaw[ship] += yaw_rate[ship] * TICK_SECONDS
@@ -70,7 +74,7 @@ def drive(
     pitch: Float64s,
     ship: int,
 ) -> None:
-    """Set engine and velocity [m/s] (n, 3) of row `ship` under `orders` (6,)."""
+    """Set engine and velocity [m/s] (n, 3) of row `ship` under `orders` (10,)."""
     setting = throttle[ship] + orders[0] * (THROTTLE_RATE * TICK_SECONDS / FULL)
     setting = _clamped(setting, -1.0, 1.0)
     if orders[4]:
@@ -98,16 +102,24 @@ def advance(position: Float64s, velocity: Float64s, ship: int, terrain: Terrain)
 
 
 class Pilot:
-    """Reads commands and terrain; writes the submarine."""
+    """Reads commands, terrain and whether the player is a fish; writes the submarine, which stands while unmanned."""
 
-    def __init__(self, submarine: SubmarineTable, commands: CommandTable, terrain: Terrain) -> None:
+    def __init__(
+        self,
+        submarine: SubmarineTable,
+        commands: CommandTable,
+        terrain: Terrain,
+        avatar: AvatarTable,
+    ) -> None:
         self.submarine = submarine
+        self.avatar = avatar
         self.commands = commands
         self.terrain = terrain
 
     def __call__(self) -> None:
         """Move the submarine by one tick."""
-        ship, orders = self.submarine, self.commands.now[0]
+        ship = self.submarine
+        orders = _UNMANNED if self.avatar.attached else self.commands.now[0]
         ship.last_position[0] = ship.position[0]
         ship.last_yaw[0] = ship.yaw[0]
         ship.last_pitch[0] = ship.pitch[0]

@@ -10,6 +10,7 @@ from components.clock import Clock
 from components.command import Command, CommandTable
 from components.fish import Population
 from components.objective import ObjectiveTable, Photograph
+from components.possession import AvatarTable
 from components.submarine import SubmarineTable
 from components.terrain import Rock, build_terrain
 from systems.play.judge import Judge, inside_frame, score
@@ -30,6 +31,7 @@ class Scene:
         self.commands, self.clock = CommandTable(), Clock()
         self.clock.tick[0] = 61
         self.objectives = ObjectiveTable(count=1)
+        self.avatar = AvatarTable()
         goals = [Photograph(species=0, count=2, within=6.0)]
         self.judge = Judge(
             self.objectives,
@@ -38,6 +40,7 @@ class Scene:
             self.population,
             self.ship,
             self.commands,
+            self.avatar,
             ROCKY if rocky else WATER,
             self.clock,
         )
@@ -125,3 +128,11 @@ def test_the_frame_is_three_to_two_wherever_the_camera_looks(
 def test_an_empty_sea_frames_nothing() -> None:
     assert Scene().shoot() == 0
     assert score(0, 0, 0.0, 0.0, 1) == pytest.approx(1000)
+
+
+def test_a_fish_takes_no_photograph() -> None:
+    scene = Scene((4.0, 0.0, -10.0))
+    scene.avatar.fish[0] = 0
+    assert scene.shoot() == -1
+    assert scene.objectives.shots[0] == 0
+    assert scene.objectives.framed[0] == 0

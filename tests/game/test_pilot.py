@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from components.arrays import Float64s
 from components.clock import TICKS_PER_SECOND
 from components.command import Command, CommandTable
+from components.possession import AvatarTable
 from components.submarine import HULL_RADIUS, SubmarineTable
 from components.terrain import Rock, Terrain, build_terrain, clearance
 from components.trigonometry import DEGREE
@@ -23,7 +24,8 @@ class Ship:
         self.table = SubmarineTable(count=1)
         self.table.position[0] = at
         self.commands = CommandTable()
-        self.pilot = Pilot(self.table, self.commands, WORLD)
+        self.avatar = AvatarTable()
+        self.pilot = Pilot(self.table, self.commands, WORLD, self.avatar)
 
     def sail(self, command: Command, seconds: float) -> "Ship":
         for _ in range(round(seconds * TICKS_PER_SECOND)):
@@ -60,6 +62,15 @@ def test_full_stop_halts_within_two_seconds() -> None:
     assert ship.table.throttle[0] == 0.0
 
 
+def test_while_the_player_is_a_fish_the_submarine_stands() -> None:
+    ship = Ship().sail(Command(throttle=100), 3.0)
+    ship.avatar.fish[0] = 7
+    ship.sail(Command(throttle=100, turn=100), 2.0)
+    assert float(np.linalg.norm(ship.velocity)) < 0.02
+    yaw = float(ship.table.yaw[0])
+    assert ship.sail(Command(turn=100), 1.0).table.yaw[0] == pytest.approx(yaw, abs=1e-3)
+
+
 def test_turning_left_turns_from_x_towards_y_and_keeps_turning_a_moment() -> None:
     ship = Ship().sail(Command(turn=100), 1.0)
     yaw = float(ship.table.yaw[0])
@@ -92,6 +103,10 @@ ORDERS = st.builds(
     rise=st.integers(-100, 100),
     stop=st.integers(0, 1),
     photograph=st.just(0),
+    become=st.integers(0, 1),
+    eat=st.integers(0, 1),
+    hide=st.integers(0, 1),
+    view=st.integers(0, 1),
 )
 
 

@@ -16,6 +16,10 @@ COMMANDS = st.builds(
     rise=st.integers(-100, 100),
     stop=st.integers(0, 1),
     photograph=st.integers(0, 1),
+    become=st.integers(0, 1),
+    eat=st.integers(0, 1),
+    hide=st.integers(0, 1),
+    view=st.integers(0, 1),
 )
 
 
