@@ -65,7 +65,7 @@ def test_the_aquarium_shows_all_nine() -> None:
     for group in content.level.fishes:
         counts[group.species] += group.count
     assert set(counts) == set(REAL)
-    assert counts.total() == 70
+    assert counts.total() == 82
     assert (content.level.world.radius_m, content.level.objective.photograph.species) == (
         35,
         "anthias",
