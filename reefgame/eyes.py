@@ -15,11 +15,12 @@ FISH_SLOPE: Final = 0.85
 """Least tangent of half the vertical field of view of a fish: it sees nearly all around, a window shows what it can."""
 _BEFORE_NOSE: Final = 0.10
 """[BL] of the eye before the nose: the snout does not hide the sea."""
-_BEHIND: Final = (2.4, 0.30)
+_BEHIND: Final = (1.5, 0.14)
 """[BL] and [m] of the eye behind a fish that the player watches."""
-_ABOVE: Final = (0.55, 0.06)
-_AHEAD: Final = 2.0
+_ABOVE: Final = (0.42, 0.03)
+_AHEAD: Final = 1.2
 """[BL] before the fish at which that eye looks."""
+_CHASE_SLOPE: Final = 0.48
 _BERTH: Final = 0.1
 
 
@@ -36,7 +37,9 @@ def eyes(world: World, alpha: float, slope: float) -> Camera:
     if avatar.behind[0]:
         eye = place - gaze * (_BEHIND[0] * length + _BEHIND[1])
         eye[2] += _ABOVE[0] * length + _ABOVE[1]
-        return camera_towards(_free(world, eye), place + _AHEAD * length * gaze, slope)
+        return camera_towards(
+            _free(world, eye), place + _AHEAD * length * gaze, min(slope, _CHASE_SLOPE)
+        )
     nose = float(world.senses.nose[fish.species[row]])
     eye = place + (nose + _BEFORE_NOSE) * length * gaze
     return camera_towards(eye, eye + gaze, max(slope, FISH_SLOPE))

@@ -15,10 +15,12 @@ from reefgame.screens.canvas import Panel
 from reefgame.screens.game import Game
 from reefgame.screens.help import HelpScreen
 from reefgame.screens.hud import Hud, hint, plural, verdict
+from reefgame.screens.inspector import InspectorScreen
 from reefgame.screens.pause import PauseScreen
 from reefgame.screens.result import ResultScreen
 from reefgame.screens.screen import Screen, trace
 from reefgame.screens.viewfinder import Viewfinder, frame_box, slope_for
+from reefgame.timeline import Timeline
 
 _FLASH_SECONDS = 0.35
 _PRINT_SECONDS = 4.0
@@ -42,6 +44,7 @@ class DiveScreen(Screen):
         self.photograph = None
         self.stage.restart()
         self.briefing = Briefing(self.world)
+        self.timeline = Timeline(self.world)
         self.recording = self.game.begin_recording()
         self._saved = False
         self._message, self._message_age = "", 99.0
@@ -91,7 +94,7 @@ class DiveScreen(Screen):
 
     def update(self, seconds: float) -> None:
         """Take the ticks that are due and show what came of them."""
-        self.stage.advance(seconds, self.controls.command, self._after_tick)
+        self.stage.advance(seconds, self.controls.command, self.ticked)
         self._message_age += seconds
         self._since_shot += seconds
         self._show()
@@ -100,8 +103,14 @@ class DiveScreen(Screen):
             self.recording.close()
             self.game.open(ResultScreen(self, self._result(won=True), self._before))
 
-    def _after_tick(self, command: Command) -> None:
+    def drive(self) -> Command:
+        """Return the orders while the player inspects: the submarine stands, a fish swims on."""
+        return Command(stop=int(not self.world.avatar.attached))
+
+    def ticked(self, command: Command) -> None:
+        """Record a tick that was played, and note what came of it."""
         self.recording.tick(command)
+        self.timeline.tick(command)
         self.briefing.notice(command)
         self._notice_avatar()
         if self.world.goals and int(self.world.objective.shots[0]) != self._shots:
@@ -212,8 +221,15 @@ class DiveScreen(Screen):
             self._pause()
         elif name in ("h", "pad_back"):
             self.game.open(HelpScreen(self.game))
+        elif name == "i":
+            self.inspect()
         else:
             self.controls.press(name)
+
+    def inspect(self) -> None:
+        """Look into the fishes' minds."""
+        self.controls.release_all()
+        self.game.open(InspectorScreen(self.game, self))
 
     def released(self, name: str) -> None:
         """Let go."""

@@ -13,9 +13,9 @@ FEELINGS: Final[tuple[tuple[str, str, Colour], ...]] = (
     ("fear", "fear", theme.CORAL),
 )
 """Column of the mind, its name, and the colour in which it is drawn everywhere."""
-ORDERS: Final = "B  let go    E  eat    G  hide    V  view"
+ORDERS: Final = "B  let go    E  eat    G  hide    V  from behind"
 """The keys of a fish."""
-_WIDE, _TALL, _ROW = 240.0, 116.0, 20.0
+_WIDE, _TALL, _ROW = 300.0, 116.0, 20.0
 
 
 class FishPanel:

@@ -235,7 +235,7 @@ class Hud:
             shots, best = int(objective.shots[0]), int(objective.best[0])
             self._shots.set(f"{shots} photo{'' if shots == 1 else 's'}")
             self._task.set(f"best so far: {best}" if shots else "no photograph yet")
-        self._prompt.show(prompt, 1.0)
+        self._prompt.show("" if self._world.avatar.attached else prompt, 1.0)
         self._message.show(message, (_MESSAGE_SECONDS - age) / _FADE_SECONDS)
 
     def _helm(self) -> tuple[float, float, float, float]:

@@ -11,19 +11,24 @@ if TYPE_CHECKING:
 
 
 class PauseScreen(OverlayScreen):
-    """Resume, restart, options, title."""
+    """Resume, restart, inspect, options, title."""
 
     name = "pause"
     headline = "Paused"
 
     def __init__(self, dive: "DiveScreen") -> None:
-        game = dive.game
+        game, self._dive = dive.game, dive
         super().__init__(
             game,
             [
                 Item("Resume", self.back),
                 Item("Restart the dive", dive.restart),
+                Item("Inspect the fishes", self._inspect),
                 Item("Options", lambda: game.open(OptionsScreen(game))),
                 Item("Leave for the title", dive.leave),
             ],
         )
+
+    def _inspect(self) -> None:
+        self.back()
+        self._dive.inspect()

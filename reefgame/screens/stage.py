@@ -89,9 +89,13 @@ class Stage:
         """Take the ticks due after a frame of `seconds`: ask the pilot, tick, tell `after`."""
         self.seconds += seconds
         for _ in range(self._step.ticks(seconds)):
-            command = pilot()
-            self.world.tick(command)
-            after(command)
+            self.hop(pilot, after)
+
+    def hop(self, pilot: Callable[[], Command], after: Callable[[Command], None]) -> None:
+        """Take one tick, whatever time has passed."""
+        command = pilot()
+        self.world.tick(command)
+        after(command)
 
     def draw(self, camera: Camera, width: int, height: int) -> None:
         """Draw the sea over the window's framebuffer, width x height [px]."""

@@ -95,6 +95,12 @@ def test_soak_writes_what_every_fish_did(reefgame: Run, tmp_path: Path) -> None:
         alive = data["intention"] >= 0
         assert np.isfinite(data["position"][alive]).all()
         assert np.isnan(data["position"][~alive]).all()
+        for name in ("hunger", "libido", "fear"):
+            assert ((data[name][alive] >= 0.0) & (data[name][alive] <= 1.0)).all()
+            assert np.isnan(data[name][~alive]).all()
+        assert data["hunger"][alive].std() > 0.0
+        assert (data["why"][alive] >= 0).all()
+        assert data["focus"].shape == data["swallowed"].shape == (samples, fishes)
 
 
 def test_a_headless_dive_is_won_recorded_and_proven(reefgame: Run, tmp_path: Path) -> None:

@@ -73,7 +73,7 @@ def test_where_no_fish_is_before_the_bow_nothing_happens_and_it_is_told() -> Non
 def test_a_button_held_counts_once_and_pressed_again_lets_go() -> None:
     world = diver()
     swim(world, 30, become=1)
-    assert world.avatar.attached
+    assert world.avatar.fish[0] >= 0
     at = row(world)
     swim(world, 1)
     swim(world, 1, become=1)
@@ -203,8 +203,8 @@ def test_the_camera_looks_along_the_mean_heading_or_from_behind() -> None:
     swim(world, 1, view=1)
     behind = eyes(world, 1.0, 0.5)
     way = fish.position[row(world)] - behind.eye
-    assert way @ world.avatar.gaze[0] > 2.0 * fish.length[row(world)]
-    assert behind.slope == 0.5
+    assert way @ world.avatar.gaze[0] > 1.5 * fish.length[row(world)]
+    assert behind.slope < 0.5
 
 
 def test_at_the_helm_the_camera_is_the_submarines() -> None:

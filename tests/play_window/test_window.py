@@ -63,6 +63,37 @@ def test_a_player_dives_steers_photographs_wins_and_returns(game: Any, user_fold
     assert game.errors == []
 
 
+def test_a_player_becomes_a_fish_inspects_one_steps_and_looks_back(
+    game: Any, user_folders: Path
+) -> None:
+    game.expect("screen title")
+    window = game.window
+    game.hands("windowfocus", "--sync", window)
+    game.hands("key", "Return")
+    game.expect("screen dive")
+    game.hands("key", "b")
+    game.expect("became fish")
+    game.hands("keydown", "w", "keydown", "e")
+    (recording,) = wait_for_checksums(user_folders, 1)
+    game.hands("keyup", "w", "keyup", "e", "key", "b")
+    game.expect("became pilot")
+    game.hands("key", "i")
+    game.expect("screen inspector")
+    game.hands("key", "Tab")
+    game.expect(r"chosen Sardine \d+")
+    game.hands("key", "period")
+    stepped = int(game.expect(r"tick \d+").split()[1])
+    game.hands("mousemove", "--window", window, "40", "307", "click", "1")
+    game.expect(r"tick \d+")
+    assert int(game.seen[-1].split()[1]) < stepped // 2
+    game.hands("key", "i")
+    game.expect("screen dive")
+    game.hands("key", "Escape", "Up", "Return")
+    game.expect("screen title")
+    assert verify(read_replay(recording), World.build(load(EASY), 1)) is None
+    assert game.errors == []
+
+
 def test_clicks_alone_lead_into_a_dive_in_a_window_made_larger(
     game: Any, user_folders: Path
 ) -> None:

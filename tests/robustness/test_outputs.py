@@ -178,10 +178,10 @@ def test_an_interrupt_while_a_trace_is_written_leaves_nothing(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def interrupted(_: Trace) -> None:
+    def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(Trace, "arrays", interrupted)
+    monkeypatch.setattr(Trace, "_write", interrupted)
     assert reefgame(*commands["trace"], tmp_path / "t.npz")[0] == 130
     assert [path.name for path in tmp_path.iterdir()] == ["dive.replay"]
 
