@@ -1,4 +1,4 @@
-"""The four ways a kernel is compiled, and where compiled kernels are kept (FINDINGS 5, DESIGN 9).
+"""The five ways a kernel is compiled, and where compiled kernels are kept (FINDINGS 5, DESIGN 9).
 
 numba's own cache misses an edit in a function that a kernel calls, unpickles whatever bytes it
 finds and may mix up two processes that write at once. This one stamps each compiled kernel with the
@@ -194,6 +194,14 @@ def inlined(function: _Kernel) -> _Kernel:
     A call hands over every array as seven words: 20 ns with a few arrays, which inlining saves.
     """
     return _compile(function, "inlined", _nrt=False, forceinline=True)
+
+
+def merged(function: _Kernel) -> _Kernel:
+    """Let the one kernel that calls it take the function's text in before it is compiled.
+
+    For long steps of one loop that share hundreds of arrays: compiled by itself each would cost seconds.
+    """
+    return cast(_Kernel, numba.njit(error_model="numpy", _nrt=False, inline="always")(function))
 
 
 def serial(function: _Kernel) -> _Kernel:

@@ -3,11 +3,12 @@
 Along the line only those places are looked at that lie below the highest ground or rock of their square.
 """
 
-from math import sqrt
+from math import floor, sqrt
 
 from components.arrays import Float64s
 from components.ground import Terrain, ground_height, rock_square, to_rock
-from components.kernels import row
+from components.kernels import inlined, row
+from components.rocks import SQUARE
 
 
 @row
@@ -30,22 +31,37 @@ def _rock_hides(
     return bool(u * u + v * v + w * w < 1.0)
 
 
+@inlined
+def _leaves(a: float, d: float, extent: float, at: float) -> float:
+    """Return the share of a line from a to a + d [m] at which it leaves the row of squares that holds `at` [m]."""
+    if d == 0.0:
+        return 1.0
+    square = floor((at + extent) / SQUARE)
+    border = (square + 1.0 if d > 0.0 else square) * SQUARE - extent
+    return (border - a) / d
+
+
 @row
 def in_sight(
     terrain: Terrain, ax: float, ay: float, az: float, bx: float, by: float, bz: float
 ) -> bool:
     """Return whether nothing of rock or ground stands between the points a and b [m].
 
-    The line sinks one way: what it meets, it meets beside a sample that lies below the roof.
+    The line sinks one way: what it meets, it meets beside a sample that lies below the roof. A square over whose roof
+    the line enters and leaves is passed at once.
     """
     dx, dy, dz = bx - ax, by - ay, bz - az
     steps = int(2.0 * sqrt(dx * dx + dy * dy) / terrain.cell) + 1
-    tested = -1
-    for k in range(steps + 1):
+    tested, k = -1, 0
+    while k <= steps:
         t = k / steps
         x, y, z = ax + t * dx, ay + t * dy, az + t * dz
+        k += 1
         square = rock_square(terrain, x, y)
         if z > terrain.roof[square]:
+            after = min(_leaves(ax, dx, terrain.extent, x), _leaves(ay, dy, terrain.extent, y), 1.0)
+            if az + after * dz > terrain.roof[square]:
+                k = max(k, int(after * steps) + 1)
             continue
         if z < ground_height(terrain.height, terrain.extent, terrain.cell, x, y):
             return False

@@ -7,11 +7,12 @@ a predator farther off bend the wanted direction a little, and never turn it rou
 from math import sqrt
 from typing import Final
 
-from components.arrays import Float64s
-from components.chance import WANDER, uniform
-from components.ground import ground_height
-from components.index import row_of
-from components.kernels import inlined, row
+from components.arrays import Float64s, Int32s
+from components.chance import WANDER as LEG
+from components.chance import uniform
+from components.ground import Terrain, ground_height
+from components.index import Places, row_of
+from components.kernels import inlined, merged, row
 from components.mind import FOOD, SUBMARINE, Courtship, Role
 from components.vector import level_off, point
 from systems.mind.behave.avoid_fish import avoid_fish, avoid_submarine
@@ -22,6 +23,7 @@ from systems.mind.behave.leave import leave
 from systems.mind.behave.mate import JILTED, MATED, mate
 from systems.mind.behave.school import heed, roam, school
 from systems.mind.behave.wander import depart, visit, wander
+from systems.mind.grid import Crowd
 from systems.mind.intend import (
     AVOID_FISH,
     AVOID_OBSTACLE,
@@ -30,6 +32,7 @@ from systems.mind.intend import (
     LEAVE,
     MATE,
     SCHOOL,
+    WANDER,
 )
 from systems.mind.perceive import HORIZON, Attention
 from systems.mind.scene import Minds, Scene
@@ -45,38 +48,41 @@ _DEPTH_SOFT: Final = 1.5
 _CALM_SLOPE: Final = 0.45
 _STEEPEST: Final = 0.8
 _SHUN: Final = 0.8
+SCHOOL_FLATNESS: Final = 0.7
+"""How much less a school climbs and dives than it would."""
+
 _SHELTER_WITHIN: Final = 8.0
 _RING: Final = 3.5
 _WIDE_RING: Final = 6.0
 
 
 @inlined
-def place_of(scene: Scene, identity: int) -> int:
-    """Return where the fish `identity` stands in the crowd, -1 where it lives no more."""
+def place_of(places: Places, place: Int32s, identity: int) -> int:
+    """Return where the fish `identity` stands in the crowd, whose `place` it is, -1 where it lives no more."""
     if identity < 0:
         return -1
-    i = row_of(scene.places, identity)
-    return scene.crowd.place[i] if i >= 0 else -1
+    i = row_of(places, identity)
+    return place[i] if i >= 0 else -1
 
 
-@inlined
-def liked_depth(scene: Scene, me: int) -> tuple[float, float]:
-    """Return the lowest and highest z [m] that the fish likes where it is."""
-    crowd, terrain, kind = scene.crowd, scene.terrain, scene.crowd.species[me]
-    floor = ground_height(terrain.height, terrain.extent, terrain.cell, crowd.x[me], crowd.y[me])
-    length = crowd.length[me]
-    low = max(scene.senses.deep[kind], floor + 1.2 * length + 0.3)
-    high = min(scene.senses.shallow[kind], -1.2 * length - 0.2)
+@row
+def liked_depth(
+    terrain: Terrain, x: float, y: float, length: float, deep: float, shallow: float
+) -> tuple[float, float]:
+    """Return the lowest and highest z [m] that a fish likes at (x, y), between `deep` and `shallow` [m]."""
+    floor = ground_height(terrain.height, terrain.extent, terrain.cell, x, y)
+    low = max(deep, floor + 1.2 * length + 0.3)
+    high = min(shallow, -1.2 * length - 0.2)
     if low > high:
         low = high = 0.5 * (low + high)
     return low, high
 
 
-@inlined
-def _stay_in_range(scene: Scene, me: int, low: float, high: float, out: Float64s) -> None:
+@row
+def _stay_in_range(
+    radius: float, x: float, y: float, z: float, low: float, high: float, out: Float64s
+) -> None:
     """Lean the wanted direction towards the liked depth and away from the rim."""
-    crowd, radius = scene.crowd, scene.terrain.radius
-    x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
     if z > high:
         out[2] -= _DEPTH_PUSH * min((z - high) / _DEPTH_SOFT, 1.0)
     elif z < low:
@@ -88,186 +94,70 @@ def _stay_in_range(scene: Scene, me: int, low: float, high: float, out: Float64s
         out[1] -= push * y / radius
 
 
-@inlined
-def _shun(scene: Scene, me: int, predator: int, fear: float, out: Float64s) -> None:
-    """Lean the wanted direction away from a predator that does not frighten yet."""
-    crowd = scene.crowd
-    dx, dy, dz = (
-        crowd.x[me] - crowd.x[predator],
-        crowd.y[me] - crowd.y[predator],
-        crowd.z[me] - crowd.z[predator],
-    )
+@row
+def _shun(danger: Float64s, fear: float, out: Float64s) -> None:
+    """Lean the wanted direction away from a predator, `danger` as `heed` writes it, that does not frighten yet."""
+    dx, dy, dz = danger[0], danger[1], danger[2]
     size = sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2])
     push = _SHUN * fear * size / (sqrt(dx * dx + dy * dy + dz * dz) + 1e-9)
-    out[0], out[1], out[2] = out[0] + push * dx, out[1] + push * dy, out[2] + 0.5 * push * dz
+    out[0], out[1], out[2] = out[0] - push * dx, out[1] - push * dy, out[2] - 0.5 * push * dz
 
 
 @row
-def _wander(scene: Scene, me: int, minds: Minds, out: Float64s) -> tuple[int, float, float]:
-    """Set out anew where the leg has ended, then wander."""
-    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    kind, identity = crowd.species[me], crowd.id[me]
-    low, high = liked_depth(scene, me)
-    if scene.now >= minds.wander_until[i]:
-        minds.wander_until[i] = depart(
-            scene.terrain, kind, crowd.x[me], crowd.y[me], crowd.z[me], low, high,
-            max(senses.speed[kind, 0], 0.3) * crowd.length[me], scene.seed, scene.now, identity,
-            minds.wander[i],
-        )  # fmt: skip
-    drawn = uniform(scene.seed, WANDER, minds.wander_until[i], identity)
-    gear, urgency, throttle = wander(minds.wander[i], drawn, out)
-    _stay_in_range(scene, me, low, high, out)
-    return gear, urgency, throttle
+def _wander(
+    terrain: Terrain, kind: int, identity: int, x: float, y: float, z: float, pace: float,
+    low: float, high: float, seed: int, now: int, until: int, leg: Float64s, out: Float64s,
+) -> tuple[int, float, float, int]:  # fmt: skip
+    """Set out anew where the `leg` has ended, then wander; the last returned is the tick of its end."""
+    if now >= until:
+        until = depart(terrain, kind, x, y, z, low, high, pace, seed, now, identity, leg)
+    gear, urgency, throttle = wander(leg, uniform(seed, LEG, until, identity), out)
+    return gear, urgency, throttle, until
 
 
 @row
-def _visit(scene: Scene, me: int, away: Float64s, out: Float64s) -> tuple[int, float, float]:
-    """Look at the submarine: predators from farther off."""
-    crowd, kind = scene.crowd, scene.crowd.species[me]
-    ring = _WIDE_RING if scene.senses.role[kind] == _PREDATOR else _RING + crowd.length[me]
-    low, high = liked_depth(scene, me)
-    gear, urgency, throttle = visit(crowd, me, scene.senses.speed[kind], away, ring, scene.now, out)
-    _stay_in_range(scene, me, low, high, out)
-    return gear, urgency, throttle
-
-
-@inlined
-def _school(
-    scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, found: int,
-    number: float, alarm: float, obstacle: float,
-) -> tuple[int, float, float]:  # fmt: skip
-    """School among the neighbours seen."""
-    crowd, i = scene.crowd, scene.crowd.row[me]
-    low, high = liked_depth(scene, me)
-    x, y, up = roam(scene.seed, minds.cohort[i], scene.now, scene.terrain.radius)
-    spacing = scene.senses.spacing[crowd.species[me]] * crowd.length[me]
-    out, blocked = attention.out[piece], min(max(3.0 - 2.0 * obstacle, 0.0), 1.0)
-    gear, urgency, throttle = school(
-        crowd, me, attention.near[piece], attention.distance[piece], found, attention.shoal[piece],
-        number, spacing, x, y, low + up * (high - low), minds.gear[i], alarm,
-        attention.danger[piece], attention.normal[piece], blocked, out,
-    )  # fmt: skip
-    _stay_in_range(scene, me, low, high, out)
-    out[2] *= 0.7
-    return gear, urgency, throttle
-
-
-@row
-def _eat(
-    scene: Scene, me: int, minds: Minds, focus: int, out: Float64s
-) -> tuple[int, float, float, float]:
-    """Go for the prey or food in focus; without any, search."""
-    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    kind, prey = crowd.species[me], place_of(scene, focus)
+def _go_for(
+    crowd: Crowd, me: int, prey: int, food: int, position: Float64s, last: Float64s,
+    speeds: Float64s, nose: float, mouth: float, hunger: float, now: int, out: Float64s,
+) -> tuple[int, float, float, float]:  # fmt: skip
+    """Go for the prey at a place of the crowd, else for the food of a row; `position` [m] is food's, `last` before."""
     if prey >= 0:
-        dx, dy, dz = (
-            crowd.x[prey] - crowd.x[me],
-            crowd.y[prey] - crowd.y[me],
-            crowd.z[prey] - crowd.z[me],
-        )
+        dx, dy, dz = crowd.x[prey], crowd.y[prey], crowd.z[prey]
         s = crowd.speed[prey]
         vx, vy, vz = s * crowd.hx[prey], s * crowd.hy[prey], s * crowd.hz[prey]
-    elif focus <= FOOD:
-        k, place, last = FOOD - focus, scene.food_position, scene.food_last
-        dx, dy, dz = place[k, 0] - crowd.x[me], place[k, 1] - crowd.y[me], place[k, 2] - crowd.z[me]
-        vx, vy, vz = (
-            60.0 * (place[k, 0] - last[k, 0]),
-            60.0 * (place[k, 1] - last[k, 1]),
-            60.0 * (place[k, 2] - last[k, 2]),
-        )
     else:
-        gear, urgency, throttle = _wander(scene, me, minds, out)
-        return max(gear, 1), urgency, throttle, 0.0
+        dx, dy, dz = position[food, 0], position[food, 1], position[food, 2]
+        vx, vy, vz = (
+            60.0 * (dx - last[food, 0]),
+            60.0 * (dy - last[food, 1]),
+            60.0 * (dz - last[food, 2]),
+        )
     return eat(
-        crowd, me, senses.speed[kind], dx, dy, dz, vx, vy, vz, senses.nose[kind],
-        senses.mouth[kind], minds.hunger[i], prey >= 0, scene.now, out,
-    )  # fmt: skip
-
-
-@row
-def _mate(
-    scene: Scene, me: int, minds: Minds, other: int, out: Float64s
-) -> tuple[int, float, float]:
-    """Court the partner, and keep account of the phases."""
-    crowd, i = scene.crowd, scene.crowd.row[me]
-    answers = crowd.phase[other] if crowd.courting[other] == crowd.id[me] else NONE
-    kind, (_, high) = crowd.species[me], liked_depth(scene, me)
-    gear, urgency, throttle, phase = mate(
-        crowd, me, other, is_male(scene.seed, crowd.id[me]), minds.courtship[i],
-        minds.courtship_since[i], answers, scene.senses.speed[kind], scene.now, high, out,
-    )  # fmt: skip
-    if phase == MATED:
-        minds.mated_at[i], phase = scene.now, NONE
-    elif phase == JILTED:
-        minds.mated_at[i], phase = scene.now - int(0.5 * scene.senses.breeding[kind]), NONE
-    elif phase == minds.courtship[i]:
-        return gear, urgency, throttle
-    minds.courtship[i], minds.courtship_since[i] = phase, scene.now
-    return gear, urgency, throttle
-
-
-@row
-def _escape(
-    scene: Scene, me: int, attention: Attention, piece: int, seen: int, scare: float, number: float
-) -> tuple[int, float, float]:  # fmt: skip
-    """Flee from all predators seen and from the submarine."""
-    crowd, kind, out = scene.crowd, scene.crowd.species[me], attention.out[piece]
-    away, danger, shelter = attention.away[piece], attention.danger[piece], attention.shelter[piece]
-    sheltered = False
-    if scene.senses.schooling[kind] == 0 and danger[6] > 0.0:
-        sheltered = find_shelter(
-            scene.terrain, kind, crowd.x[me], crowd.y[me], crowd.z[me], danger[0], danger[1],
-            _SHELTER_WITHIN, shelter,
-        )  # fmt: skip
-    return escape(
-        crowd, me, attention.hunters[piece], seen, away, scare, shelter, sheltered,
-        attention.shoal[piece], number, scene.seed, scene.now, out,
+        crowd, me, speeds, dx - crowd.x[me], dy - crowd.y[me], dz - crowd.z[me], vx, vy, vz, nose,
+        mouth, hunger, prey >= 0, now, out,
     )  # fmt: skip
 
 
 @row
 def _avoid(
-    scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, other: int,
-    when: float, out: Float64s,
+    crowd: Crowd, me: int, submarine: bool, away: Float64s, other: int, when: float,
+    heading: Float64s, out: Float64s,
 ) -> tuple[int, float, float]:  # fmt: skip
     """Leave the way of the fish, or the submarine, in focus; without any, go on as before."""
-    i = scene.crowd.row[me]
-    if minds.focus[i] == SUBMARINE:
-        return avoid_submarine(scene.crowd, me, attention.away[piece], min(when, HORIZON), out)
+    if submarine:
+        return avoid_submarine(crowd, me, away, min(when, HORIZON), out)
     if other >= 0:
-        return avoid_fish(scene.crowd, me, other, min(when, HORIZON), out)
-    for axis in range(3):
-        out[axis] = minds.heading[i, axis]
+        return avoid_fish(crowd, me, other, min(when, HORIZON), out)
+    out[0], out[1], out[2] = heading[0], heading[1], heading[2]
     return 1, 0.2, 1.0
 
 
 @row
-def _swerve(
-    scene: Scene, me: int, minds: Minds, normal: Float64s, obstacle: float, again: bool,
-    out: Float64s,
-) -> tuple[int, float, float]:  # fmt: skip
-    """Swing round the obstacle ahead."""
-    crowd, i = scene.crowd, scene.crowd.row[me]
-    hx, hy, hz = crowd.hx[me], crowd.hy[me], crowd.hz[me]
-    side = choose_side(hx, hy, normal, minds.side[i] if again else 0, crowd.id[me])
-    minds.side[i] = side
-    near = min(max(1.0 - obstacle, 0.0), 1.0)
-    return avoid_static_obstacle(hx, hy, hz, normal, near, side, out)
-
-
-@row
-def _leave(scene: Scene, me: int, rise: float, out: Float64s) -> tuple[int, float, float]:
-    """Go to where light and warmth suit, up where `rise` > 0."""
-    low, high = liked_depth(scene, me)
-    return leave(scene.terrain, scene.crowd, me, rise, low, high, out)
-
-
-@inlined
 def heed_worst(
-    scene: Scene, me: int, predator: int, scare: float, away: Float64s, danger: Float64s
-) -> None:
+    crowd: Crowd, me: int, predator: int, scare: float, away: Float64s, velocity: Float64s,
+    danger: Float64s,
+) -> None:  # fmt: skip
     """Write what schooling and fleeing heed of the most dangerous predator, else of the submarine, (7,)."""
-    crowd = scene.crowd
     if predator >= 0:
         s = crowd.speed[predator]
         heed(
@@ -276,13 +166,14 @@ def heed_worst(
             s * crowd.hz[predator], crowd.length[predator], danger,
         )  # fmt: skip
     elif scare > 0.1:
-        v = scene.submarine_velocity
-        heed(-away[0], -away[1], -away[2], v[0, 0], v[0, 1], v[0, 2], 1.0, danger)
+        heed(
+            -away[0], -away[1], -away[2], velocity[0, 0], velocity[0, 1], velocity[0, 2], 1.0, danger
+        )  # fmt: skip
     else:
         danger[6] = 0.0
 
 
-@inlined
+@merged
 def act(
     scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, previous: int,
     found: int, number: float, other: int, when: float, seen: int, predator: int, scare: float,
@@ -294,35 +185,80 @@ def act(
     `scare`: how many predators, the place of the worst, -1 for none, and fear of the submarine; `obstacle`: as
     `Percept` has it; `rise`: where light and warmth lie.
     """
-    i, out = scene.crowd.row[me], attention.out[piece]
+    crowd, senses, terrain, now = scene.crowd, scene.senses, scene.terrain, scene.now
+    i, kind, length, identity = crowd.row[me], crowd.species[me], crowd.length[me], crowd.id[me]
+    x, y, z, speeds = crowd.x[me], crowd.y[me], crowd.z[me], senses.speed[kind]
+    out, away, danger = attention.out[piece], attention.away[piece], attention.danger[piece]
+    normal, shoal, heading = attention.normal[piece], attention.shoal[piece], minds.heading[i]
     intention, focus, gape = minds.intention[i], minds.focus[i], 0.0
+    low, high = liked_depth(terrain, x, y, length, senses.deep[kind], senses.shallow[kind])
+    calm = intention in (SCHOOL, WANDER, LEAVE)
     if intention == SCHOOL:
-        gear, urgency, throttle = _school(
-            scene, me, minds, attention, piece, found, number, minds.fear[i], obstacle
-        )
+        to_x, to_y, up = roam(scene.seed, minds.cohort[i], now, terrain.radius)
+        blocked = min(max(3.0 - 2.0 * obstacle, 0.0), 1.0)
+        gear, urgency, throttle = school(
+            crowd, me, attention.near[piece], attention.distance[piece], found, shoal, number,
+            senses.spacing[kind] * length, to_x, to_y, low + up * (high - low), minds.gear[i],
+            minds.fear[i], danger, normal, blocked, out,
+        )  # fmt: skip
+        out[2] *= SCHOOL_FLATNESS
     elif intention == AVOID_OBSTACLE:
-        again = previous == AVOID_OBSTACLE
-        gear, urgency, throttle = _swerve(
-            scene, me, minds, attention.normal[piece], obstacle, again, out
-        )
+        before = minds.side[i] if previous == AVOID_OBSTACLE else 0
+        side = choose_side(crowd.hx[me], crowd.hy[me], normal, before, identity)
+        minds.side[i] = side
+        gear, urgency, throttle = avoid_static_obstacle(
+            crowd.hx[me], crowd.hy[me], crowd.hz[me], normal,
+            min(max(1.0 - obstacle, 0.0), 1.0), side, out,
+        )  # fmt: skip
     elif intention == AVOID_FISH:
-        gear, urgency, throttle = _avoid(scene, me, minds, attention, piece, other, when, out)
-    elif intention == EAT:
-        gear, urgency, throttle, gape = _eat(scene, me, minds, focus, out)
+        gear, urgency, throttle = _avoid(
+            crowd, me, focus == SUBMARINE, away, other, when, heading, out
+        )
+    elif intention == EAT and focus != -1:
+        prey = place_of(scene.places, crowd.place, focus)
+        gear, urgency, throttle, gape = _go_for(
+            crowd, me, prey, FOOD - focus, scene.food_position, scene.food_last, speeds,
+            senses.nose[kind], senses.mouth[kind], minds.hunger[i], now, out,
+        )  # fmt: skip
     elif intention == MATE:
-        gear, urgency, throttle = _mate(scene, me, minds, place_of(scene, focus), out)
+        partner = place_of(scene.places, crowd.place, focus)
+        answers = crowd.phase[partner] if crowd.courting[partner] == identity else NONE
+        gear, urgency, throttle, phase = mate(
+            crowd, me, partner, is_male(scene.seed, identity), minds.courtship[i],
+            minds.courtship_since[i], answers, speeds, now, high, out,
+        )  # fmt: skip
+        if phase in (MATED, JILTED):
+            waited = 0 if phase == MATED else int(0.5 * senses.breeding[kind])
+            minds.mated_at[i], phase = now - waited, NONE
+        if phase != minds.courtship[i]:
+            minds.courtship[i], minds.courtship_since[i] = phase, now
     elif intention == ESCAPE:
-        gear, urgency, throttle = _escape(scene, me, attention, piece, seen, scare, number)
+        shelter = attention.shelter[piece]
+        sheltered = senses.schooling[kind] == 0 and danger[6] > 0.0
+        if sheltered:
+            sheltered = find_shelter(
+                terrain, kind, x, y, z, danger[0], danger[1], _SHELTER_WITHIN, shelter
+            )
+        gear, urgency, throttle = escape(
+            crowd, me, attention.hunters[piece], seen, away, scare, shelter, sheltered, shoal,
+            number, scene.seed, now, out,
+        )  # fmt: skip
     elif intention == LEAVE:
-        gear, urgency, throttle = _leave(scene, me, rise, out)
+        gear, urgency, throttle = leave(terrain, crowd, me, rise, low, high, out)
     elif focus == SUBMARINE:
-        gear, urgency, throttle = _visit(scene, me, attention.away[piece], out)
+        ring = _WIDE_RING if senses.role[kind] == _PREDATOR else _RING + length
+        gear, urgency, throttle = visit(crowd, me, speeds, away, ring, now, out)
     else:
-        gear, urgency, throttle = _wander(scene, me, minds, out)
-    if predator >= 0 and intention not in (SCHOOL, ESCAPE, AVOID_OBSTACLE, AVOID_FISH):
-        _shun(scene, me, predator, minds.fear[i], out)
-    point(minds.heading[i], out[0], out[1], out[2])
-    calm = intention == SCHOOL or intention not in (AVOID_OBSTACLE, AVOID_FISH, EAT, MATE, ESCAPE)
-    level_off(minds.heading[i], _CALM_SLOPE if calm else _STEEPEST)
+        gear, urgency, throttle, minds.wander_until[i] = _wander(
+            terrain, kind, identity, x, y, z, max(speeds[0], 0.3) * length, low, high, scene.seed,
+            now, minds.wander_until[i], minds.wander[i], out,
+        )  # fmt: skip
+        gear = max(gear, 1) if intention == EAT else gear
+    if calm:
+        _stay_in_range(terrain.radius, x, y, z, low, high, out)
+    if predator >= 0 and (calm or intention in (EAT, MATE)) and intention != SCHOOL:
+        _shun(danger, minds.fear[i], out)
+    point(heading, out[0], out[1], out[2])
+    level_off(heading, _CALM_SLOPE if calm else _STEEPEST)
     minds.gear[i], minds.urgency[i], minds.throttle[i] = gear, urgency, throttle
     minds.gape[i] = gape

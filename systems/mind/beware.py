@@ -1,5 +1,8 @@
 """Bewaring: the predators that a fish sees, large fishes that pass, and how afraid it is of them.
 
+A fish sees others from its `sight` times the root of their length over its own, for contrast limits sight under water
+as much as size does, and nothing beyond the water's visibility.
+
 Who eats it is seen from afar, the farther the larger; behind rocks and ground nobody is (papers/000, 3.2).
 """
 
@@ -7,7 +10,7 @@ from math import sqrt
 from typing import Final
 
 from components.arrays import Float64s, Int64s
-from components.kernels import inlined
+from components.kernels import inlined, merged
 from components.senses import SWALLOWED
 from components.sightline import in_sight
 from systems.mind.feel import fear_of
@@ -22,21 +25,14 @@ from systems.mind.perceive import (
 from systems.mind.scene import Scene
 from systems.mind.sparse import LONGEST_RUN
 
+WAKE: Final = 1.0
+"""Lengths of a hunter within which it is felt, as the water moves that it pushes on, out of sight or not."""
+
 LOOMS: Final = 3.0
 """Lengths of a large fish within which others mind where it swims."""
 
-NEGLIGIBLE: Final = 0.04
+NEGLIGIBLE: Final = 0.1
 """Fear of one predator too small to look twice."""
-
-
-@inlined
-def sight_of(sight: float, visibility: float, length: float, other: float) -> float:
-    """Return how far [m] a fish `length` [m] long sees one of the length `other`.
-
-    `sight` [m] serves for its own size and grows with the root of the other's: contrast limits sight under water as
-    much as size does; nothing is seen beyond the water's `visibility` [m].
-    """
-    return min(sight * sqrt(other / length), visibility)
 
 
 @inlined
@@ -45,7 +41,7 @@ def can_swallow(length: float, victim: float) -> bool:
     return victim <= SWALLOWED * length
 
 
-@inlined
+@merged
 def watch_hunters(
     scene: Scene, me: int, target: int, runs_found: int, attention: Attention, piece: int
 ) -> tuple[int, int, float]:
@@ -60,7 +56,7 @@ def watch_hunters(
     kind, length = crowd.species[me], crowd.length[me]
     x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
     farthest = min(scene.habitat.visibility, sparse.cell)
-    limit, felt = farthest * farthest, LATERAL_LINE * length * LATERAL_LINE * length
+    limit = farthest * farthest
     keen = senses.sight[kind] * senses.sight[kind] / length
     found, threat, soonest = 0, -1, NO_DANGER
     for run in range(runs_found):
@@ -75,7 +71,8 @@ def watch_hunters(
             if square > keen * size or other == me:
                 continue
             seen = in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me])
-            if not (seen or square < felt):
+            felt = LATERAL_LINE * length + WAKE * size
+            if not (seen or square < felt * felt):
                 continue
             if senses.eats[crowd.species[other], kind] != 0:
                 if can_swallow(size, length):
@@ -87,7 +84,7 @@ def watch_hunters(
     return found, threat, soonest
 
 
-@inlined
+@merged
 def fear_all(
     scene: Scene, me: int, found: int, hunters: Int64s, distance: Float64s
 ) -> tuple[float, float, int, int]:

@@ -97,11 +97,26 @@ def make_attention() -> Attention:
         return np.zeros((PIECES, NEIGHBOURS), np.int64)
 
     return Attention(
-        np.zeros((PIECES, 24), np.int64),
-        *(reals(MOST_AROUND), reals(MOST_AROUND), reals(MOST_AROUND), places(MOST_AROUND)),
-        *(reals(MOST_AROUND), places(MOST_AROUND + 1)),
-        *(ids(), reals(NEIGHBOURS), places(32), ids(), reals(NEIGHBOURS), ids(), reals(NEIGHBOURS)),
-        *(reals(8), reals(8), reals(8), reals(8), reals(8), reals(8)),
+        runs=np.zeros((PIECES, 24), np.int64),
+        around_x=reals(MOST_AROUND),
+        around_y=reals(MOST_AROUND),
+        around_z=reals(MOST_AROUND),
+        around=places(MOST_AROUND),
+        square=reals(MOST_AROUND),
+        seen=places(MOST_AROUND + 1),
+        near=ids(),
+        distance=reals(NEIGHBOURS),
+        hunter_runs=places(32),
+        hunters=ids(),
+        hunter_distance=reals(NEIGHBOURS),
+        sought=ids(),
+        sought_distance=reals(NEIGHBOURS),
+        shoal=reals(8),
+        normal=reals(8),
+        away=reals(8),
+        danger=reals(8),
+        shelter=reals(8),
+        out=reals(8),
     )
 
 

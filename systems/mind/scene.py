@@ -39,6 +39,8 @@ class Scene(NamedTuple):
     "[m] of each particle, (F, 3), by row of the table of food"
     food_last: Float64s
     "[m] a tick ago, (F, 3)"
+    there: Int8s
+    "1 for each particle in the water, (F,)"
 
 
 class Minds(NamedTuple):

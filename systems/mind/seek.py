@@ -9,11 +9,12 @@ from typing import Final
 
 from components.arrays import Int32s, Int64s
 from components.chance import SEX, uniform
-from components.kernels import inlined, row
+from components.ground import Terrain
+from components.kernels import inlined, merged, row
 from components.mind import Intention
 from components.sightline import in_sight
 from components.trigonometry import arc
-from systems.mind.beware import can_swallow, sight_of
+from systems.mind.beware import can_swallow
 from systems.mind.grid import Crowd
 from systems.mind.perceive import NEIGHBOURS, Attention, first_not_above, in_view, insert
 from systems.mind.scene import Scene
@@ -34,7 +35,7 @@ LOYALTY: Final = 0.7
 READY: Final = 0.25
 """Libido from which a fish answers a mate."""
 
-_MOST_TESTED: Final = 2048
+_MOST_TESTED: Final = 1024
 _WIDEST: Final = 64
 _PI: Final = 3.141592653589793
 _SCHOOL: Final = int(Intention.SCHOOL)
@@ -55,10 +56,9 @@ def _is_prey(scene: Scene, me: int, other: int, taken: Int64s) -> bool:
     return can_swallow(crowd.length[me], crowd.length[other]) and (by < 0 or by == crowd.id[me])
 
 
-@inlined
-def suits(scene: Scene, me: int, other: int, male: bool) -> bool:
+@row
+def suits(crowd: Crowd, seed: int, me: int, other: int, male: bool) -> bool:
     """Return whether `other` may be the mate of `me`: of its kind, the other sex, ready and free, or its suitor."""
-    crowd = scene.crowd
     if crowd.species[other] != crowd.species[me] or other == me:
         return False
     courting = crowd.courting[other]
@@ -66,19 +66,19 @@ def suits(scene: Scene, me: int, other: int, male: bool) -> bool:
         return False
     if courting < 0 and crowd.libido[other] < READY:
         return False
-    return is_male(scene.seed, crowd.id[other]) != male
+    return is_male(seed, crowd.id[other]) != male
 
 
-@inlined
-def _visible(scene: Scene, me: int, other: int) -> bool:
-    crowd = scene.crowd
+@row
+def visible(terrain: Terrain, crowd: Crowd, me: int, other: int) -> bool:
+    """Return whether neither rock nor ground stands between two fishes."""
     return in_sight(
-        scene.terrain, crowd.x[me], crowd.y[me], crowd.z[me],
+        terrain, crowd.x[me], crowd.y[me], crowd.z[me],
         crowd.x[other], crowd.y[other], crowd.z[other],
     )  # fmt: skip
 
 
-@row
+@merged
 def _search(
     scene: Scene, me: int, taken: Int64s, mates: bool, attention: Attention, piece: int
 ) -> int:
@@ -87,12 +87,14 @@ def _search(
     sought, distance = attention.sought[piece], attention.sought_distance[piece]
     x, y, z, length = crowd.x[me], crowd.y[me], crowd.z[me], crowd.length[me]
     sight = senses.sight[crowd.species[me]]
+    keen, visibility = sight * sight / length, scene.habitat.visibility
     cx, cy = crowd.column[me] // plan.columns, crowd.column[me] % plan.columns
     male = is_male(scene.seed, crowd.id[me])
     found, tested, wide = 0, 0, 1
     while True:
         found = tested = 0
-        reach = plan.cell * wide
+        reach = min(plan.cell * wide, visibility)
+        limit = reach * reach
         for i in range(max(cx - wide, 0), min(cx + wide + 1, plan.columns)):
             for j in range(max(cy - wide, 0), min(cy + wide + 1, plan.columns)):
                 begin = crowd.first[i * plan.columns + j]
@@ -107,19 +109,20 @@ def _search(
                 for k in range(begin, end):
                     dx, dy, dz = crowd.x[k] - x, crowd.y[k] - y, crowd.z[k] - z
                     square = dx * dx + dy * dy + dz * dz
-                    far = min(
-                        sight_of(sight, scene.habitat.visibility, length, crowd.length[k]), reach
-                    )
-                    if square > far * far or k == me:
+                    if square > min(limit, keen * crowd.length[k]) or k == me:
                         continue
                     if found == NEIGHBOURS and square >= distance[NEIGHBOURS - 1]:
                         continue
-                    if not (suits(scene, me, k, male) if mates else _is_prey(scene, me, k, taken)):
+                    if not (
+                        suits(crowd, scene.seed, me, k, male)
+                        if mates
+                        else _is_prey(scene, me, k, taken)
+                    ):
                         continue
                     if in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me]):
                         found = insert(k, square, sought, distance, found)
         enough = 1 if mates else NEIGHBOURS
-        most = min(2.5 * sight, scene.habitat.visibility)
+        most = min(2.5 * sight, visibility)
         if found >= enough or tested > _MOST_TESTED or reach >= most or wide >= _WIDEST:
             return found
         wide *= 2
@@ -141,48 +144,34 @@ def _cost(crowd: Crowd, me: int, other: int, far: float) -> float:
 
 
 @row
-def seek_prey(
-    scene: Scene, me: int, kept: int, taken: Int64s, attention: Attention, piece: int
+def seek(
+    scene: Scene, me: int, kept: int, taken: Int64s, mates: bool, attention: Attention, piece: int
 ) -> tuple[int, float]:
-    """Return the place of the prey that costs least, -1 for none, and its distance [m].
+    """Return the place of the prey that costs least, or of the nearest mate, -1 for none, and its distance [m].
 
     `kept` is the place of the prey it is after, -1 for none: it stays with it unless another costs much less.
     """
     crowd = scene.crowd
-    found = _search(scene, me, taken, False, attention, piece)
+    found = _search(scene, me, taken, mates, attention, piece)
     best, least, near = -1, 1e18, 1e18
     for k in range(found):
         other = attention.sought[piece, k]
         far = sqrt(attention.sought_distance[piece, k])
-        cost = _cost(crowd, me, other, far)
+        if not mates and crowd.intention[other] == _SCHOOL:
+            far /= 1.0 + SCHOOLED
+        cost = far if mates else _cost(crowd, me, other, far)
         if other == kept:
             cost *= LOYALTY
-        if cost < least and _visible(scene, me, other):
+        if cost < least and visible(scene.terrain, crowd, me, other):
             best, least, near = other, cost, far
     return best, near
 
 
 @row
-def seek_mate(
-    scene: Scene, me: int, taken: Int64s, attention: Attention, piece: int
-) -> tuple[int, float]:
-    """Return the place of the nearest mate in view, -1 for none, and its distance [m]."""
-    found = _search(scene, me, taken, True, attention, piece)
-    for k in range(found):
-        other = attention.sought[piece, k]
-        if _visible(scene, me, other):
-            return other, sqrt(attention.sought_distance[piece, k])
-    return -1, 1e18
-
-
-@row
 def smell_food(
-    sparse: Sparse, x: float, y: float, z: float, reach: float, kept: int, runs: Int32s
+    sparse: Sparse, x: float, y: float, z: float, reach: float, runs: Int32s
 ) -> tuple[int, float]:
-    """Return the row of the nearest food within `reach` [m] of (x, y, z), -1 for none, and its distance [m].
-
-    `kept` is the row of what it is after, -1 for none.
-    """
+    """Return the row of the nearest food within `reach` [m] of (x, y, z), -1 for none, and its distance [m]."""
     best, row = reach * reach, -1
     found = find_sparse_runs(sparse, x, y, z, runs)
     for run in range(found):
@@ -190,9 +179,6 @@ def smell_food(
         for k in range(begin, end, (end - begin) // LONGEST_RUN + 1):
             dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
             square = dx * dx + dy * dy + dz * dz
-            if sparse.what[k] == kept:
-                square *= LOYALTY * LOYALTY
             if square < best:
                 best, row = square, sparse.what[k]
-    far = sqrt(best)
-    return row, (far / LOYALTY if row == kept else far)
+    return row, sqrt(best)

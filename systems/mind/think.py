@@ -20,12 +20,12 @@ from components.food import FoodTable, in_stomach
 from components.ground import Terrain
 from components.habitat import STILL, Habitat, daylight
 from components.index import Places
-from components.kernels import inlined, loop, row
+from components.kernels import loop, merged, row
 from components.mind import FOOD, SUBMARINE, Role, Why
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
 from systems.mind.act import NONE, act, heed_worst, liked_depth, place_of
-from systems.mind.behave.wander import is_curious
+from systems.mind.behave.wander import is_curious, nearest_home
 from systems.mind.beware import fear_all, watch_hunters
 from systems.mind.feel import (
     FOOD_FAR,
@@ -71,7 +71,7 @@ from systems.mind.perceive import (
     watch,
 )
 from systems.mind.scene import Minds, Scene, minds_of
-from systems.mind.seek import SMELL, is_male, seek_mate, seek_prey, smell_food, suits
+from systems.mind.seek import LOYALTY, SMELL, is_male, seek, smell_food, suits
 from systems.mind.shoal import see_shoal, sum_shoals
 from systems.mind.sparse import Sparse, SparseGrid, find_sparse_runs
 
@@ -90,7 +90,7 @@ _NOWHERE: Final = 0.5
 _LOSES_SIGHT: Final = 2.0
 
 
-@inlined
+@merged
 def _seek_food(
     scene: Scene, me: int, minds: Minds, plain: float, target: int, attention: Attention, piece: int
 ) -> tuple[int, float]:
@@ -101,26 +101,31 @@ def _seek_food(
     if not eager:
         return -1, NO_DANGER
     if senses.hunts[kind] != 0:
-        prey, far = seek_prey(scene, me, target, minds.swallowed_by, attention, piece)
+        prey, far = seek(scene, me, target, minds.swallowed_by, False, attention, piece)
         if prey >= 0:
             return crowd.id[prey], far
     if senses.grazes[kind] != 0 and scene.food.number > 0:
-        kept = FOOD - minds.focus[i] if minds.focus[i] <= FOOD else -1
         reach = min(SMELL * senses.sight[kind], scene.food.cell)
-        food, far = smell_food(scene.food, x, y, z, reach, kept, attention.hunter_runs[piece])
+        food, far = smell_food(scene.food, x, y, z, reach, attention.hunter_runs[piece])
+        kept = FOOD - minds.focus[i]
+        if food >= 0 and 0 <= kept < len(scene.there) and scene.there[kept] and kept != food:
+            place = scene.food_position
+            old = speed_of(place[kept, 0] - x, place[kept, 1] - y, place[kept, 2] - z)
+            if LOYALTY * old < far:
+                food, far = kept, old
         if food >= 0:
             return FOOD - food, far
     return -1, NO_DANGER
 
 
-@inlined
+@merged
 def _seek_mate(
     scene: Scene, me: int, minds: Minds, target: int, found: int, attention: Attention, piece: int
 ) -> tuple[int, float]:
     """Return the place of the partner, -1 for none, and its distance [m]: the old one first, then who is near."""
     crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
     male = is_male(scene.seed, crowd.id[me])
-    if minds.intention[i] == MATE and target >= 0 and suits(scene, me, target, male):
+    if minds.intention[i] == MATE and target >= 0 and suits(crowd, scene.seed, me, target, male):
         far = speed_of(
             crowd.x[target] - crowd.x[me],
             crowd.y[target] - crowd.y[me],
@@ -130,44 +135,41 @@ def _seek_mate(
             return target, far
     for k in range(found):
         other = attention.near[piece, k]
-        if suits(scene, me, other, male):
+        if suits(crowd, scene.seed, me, other, male):
             return other, sqrt(attention.distance[piece, k])
     if senses.schooling[crowd.species[me]] != 0:
         return -1, NO_DANGER
     if (scene.now // 4 + crowd.id[me]) % SEARCH_EVERY != 0:
         return -1, NO_DANGER
-    return seek_mate(scene, me, minds.swallowed_by, attention, piece)
+    return seek(scene, me, -1, minds.swallowed_by, True, attention, piece)
 
 
-@inlined
-def _suit(scene: Scene, me: int) -> tuple[float, float]:
-    """Return unease and where to go, as `unease`; none where the liked depth ends there."""
-    senses, kind = scene.senses, scene.crowd.species[me]
-    if senses.bright[kind] == 0 and senses.warm[kind] == 0:
-        return 0.0, 0.0
-    z = scene.crowd.z[me]
-    much, way = unease(scene.habitat, scene.day, z, senses.bright[kind], senses.warm[kind])
-    if much > 0.0:
-        low, high = liked_depth(scene, me)
-        if (high - z if way > 0.0 else z - low) < _NOWHERE:
-            much = 0.0
+@row
+def suit(
+    habitat: Habitat, day: float, z: float, bright: int, warm: int, low: float, high: float
+) -> tuple[float, float]:
+    """Return unease and where to go, as `unease`; none where the liked depth, `low` to `high` [m], ends there."""
+    much, way = unease(habitat, day, z, bright, warm)
+    if (high - z if way > 0.0 else z - low) < _NOWHERE:
+        much = 0.0
     return much, way
 
 
-@inlined
-def _curious(scene: Scene, me: int, away: Float64s) -> float:
-    """Return the distance [m] to the submarine that the fish comes to look at, else 0."""
-    senses, kind = scene.senses, scene.crowd.species[me]
-    if scene.submarines == 0 or senses.role[kind] == _PREY:
-        return 0.0
+@row
+def curiosity(
+    role: int, chance: float, sight: float, visibility: float, away: Float64s, seed: int, now: int,
+    identity: int,
+) -> float:  # fmt: skip
+    """Return the distance [m] to the submarine, `away`, that a fish comes to look at, else 0."""
     far = speed_of(away[0], away[1], away[2])
-    if far > min(2.0 * senses.sight[kind], scene.habitat.visibility):
+    if role == _PREY or far > min(2.0 * sight, visibility):
         return 0.0
-    chance = _CURIOUS_PREDATOR if senses.role[kind] == _PREDATOR else senses.curiosity[kind]
-    return far if is_curious(scene.seed, scene.now, scene.crowd.id[me], chance) else 0.0
+    if role == _PREDATOR:
+        chance = _CURIOUS_PREDATOR
+    return far if is_curious(seed, now, identity, chance) else 0.0
 
 
-@inlined
+@merged
 def think_one(
     scene: Scene,
     me: int,
@@ -183,13 +185,14 @@ def think_one(
     schooling, role = senses.schooling[kind] != 0, senses.role[kind]
     timid = role == _PREY or (role != _PREDATOR and senses.hunted[kind] != 0)
     previous = minds.intention[i]
-    target = place_of(scene, minds.focus[i]) if previous in (EAT, MATE) else -1
+    target = place_of(scene.places, crowd.place, minds.focus[i]) if previous in (EAT, MATE) else -1
     reach = reach_of(scene.plan, senses.sight[kind], length)
     many = see_around(crowd, me, reach, around, attention, piece)
     found, other, when = watch(crowd, me, schooling, target, senses.eats, many, attention, piece)
     number = 0.0
     if schooling:
-        number = see_shoal(scene.plan, crowd, me, 2.0 * senses.sight[kind], attention.shoal[piece])
+        far = min(2.0 * senses.sight[kind], scene.habitat.visibility)
+        number = see_shoal(scene.plan, crowd, me, far, attention.shoal[piece])
     seen, predator, fear, danger = 0, -1, 0.0, 0.0
     if hunter_runs > 0:
         seen, big, soon = watch_hunters(scene, me, target, hunter_runs, attention, piece)
@@ -230,10 +233,23 @@ def think_one(
     if not urgent and libido_of(wish, 1.0) > WANTING * RELENT:
         mate, mate_far = _seek_mate(scene, me, minds, target, found, attention, piece)
     libido = libido_of(wish, stimulus(length / (mate_far + 1e-9), MATE_FAR, MATE_NEAR))
-    much, rise = _suit(scene, me)
+    much, rise, curious = 0.0, 0.0, 0.0
+    minds_habitat = senses.bright[kind] != 0 or senses.warm[kind] != 0
+    if minds_habitat and nearest_home(scene.terrain, kind, crowd.x[me], crowd.y[me]) < 0:
+        low, high = liked_depth(
+            scene.terrain, crowd.x[me], crowd.y[me], length, senses.deep[kind], senses.shallow[kind]
+        )
+        much, rise = suit(
+            scene.habitat, scene.day, crowd.z[me], senses.bright[kind], senses.warm[kind], low, high
+        )
+    if scene.submarines > 0:
+        curious = curiosity(
+            role, senses.curiosity[kind], senses.sight[kind], scene.habitat.visibility, away,
+            scene.seed, scene.now, crowd.id[me],
+        )  # fmt: skip
     minds.hunger[i], minds.libido[i], minds.fear[i] = hunger, libido, fear
     minds.danger[i], minds.thought_at[i] = danger, scene.now
-    heed_worst(scene, me, predator, scare, away, attention.danger[piece])
+    heed_worst(crowd, me, predator, scare, away, scene.submarine_velocity, attention.danger[piece])
     if previous == OBEY:
         minds.why[i], minds.why_value[i] = _PLAYER, 0.0
         return
@@ -242,7 +258,7 @@ def think_one(
     percept = Percept(
         obstacle, min(when, meets), threat, timid, fear, danger, company, hunger, libido,
         meal != -1, mate >= 0, role == _PREDATOR, minds.focus[i] >= 0, much,
-        _curious(scene, me, away),
+        curious,
         uniform(scene.seed, WHIM, scene.now, crowd.id[me]) < 0.5,
     )  # fmt: skip
     intention, why, value, memory = intend(scene.now, held, percept)
@@ -318,6 +334,7 @@ def think_all(
     submarines: int,
     food_position: Float64s,
     food_last: Float64s,
+    there: Int8s,
     number: int,
     minds: Minds,
     attention: Attention,
@@ -331,7 +348,7 @@ def think_all(
         begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
         scene = Scene(
             now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, places, submarine,
-            submarine_velocity, submarines, food_position, food_last,
+            submarine_velocity, submarines, food_position, food_last, there,
         )  # fmt: skip
         think_some(scene, begin, end, minds, attention, piece)
 
@@ -390,12 +407,13 @@ class Think:
 
     def _scene(self, number: int) -> Scene:
         """Return the world as minds find it this tick."""
-        food, now = self.food, self.clock.now
+        food, now, edible = self.food, self.clock.now, self._edible()
         return Scene(
             now, int(self.clock.seed[0]), daylight(self.habitat, now), self.grid.plan,
             self.grid.crowd, self.senses, self.terrain, self.habitat, self._hunting(number),
-            self._edible(), self.population.index.places, self.submarine.position,
+            edible, self.population.index.places, self.submarine.position,
             self.submarine.velocity, self.submarine.count, food.position, food.last_position,
+            self._there,
         )  # fmt: skip
 
     def _hunting(self, number: int) -> Sparse:
@@ -411,6 +429,7 @@ class Think:
         """Return the grid of the food in the water."""
         food, count = self.food, self.food.count
         there = (food.returns[:count] <= self.clock.now) & (food.eaten_by[:count] < 0)
+        self._there = there.astype(np.int8)
         what = np.flatnonzero(there).astype(np.int32)
         place = np.ascontiguousarray(food.position[what].T)
         least = 3.0 * self.grid.plan.cell

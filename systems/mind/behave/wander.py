@@ -35,7 +35,7 @@ _BRISK_FROM: Final = 0.75
 
 
 @row
-def _nearest_home(terrain: Terrain, kind: int, x: float, y: float) -> int:
+def nearest_home(terrain: Terrain, kind: int, x: float, y: float) -> int:
     """Return the home point of the species that is nearest to (x, y), or -1."""
     best, nearest = -1, 0.0
     for k in range(len(terrain.home)):
@@ -54,7 +54,7 @@ def choose_place(
     u, v = uniform(seed, WANDER, 4 * now, identity), uniform(seed, WANDER, 4 * now + 1, identity)
     a = 2.0 * uniform(seed, WANDER, 4 * now + 2, identity) - 1.0
     b = 2.0 * uniform(seed, WANDER, 4 * now + 3, identity) - 1.0
-    home = _nearest_home(terrain, kind, x, y)
+    home = nearest_home(terrain, kind, x, y)
     if home >= 0:
         tx, ty = terrain.home[home, 0] + _AT_HOME * a, terrain.home[home, 1] + _AT_HOME * b
     elif len(terrain.rock_centre) > 0 and v < 0.75:
@@ -89,6 +89,9 @@ def depart(
     tx, ty = choose_place(terrain, kind, x, y, seed, now, identity)
     u = uniform(seed, WANDER, 4 * now + 1, -1 - identity)
     bottom = ground_height(terrain.height, terrain.extent, terrain.cell, tx, ty) + 0.5
+    home = nearest_home(terrain, kind, x, y)
+    if home >= 0:
+        high = min(high, terrain.home[home, 2] + _AT_HOME)
     tz = max(low, bottom) + _LIFT * u * u * u * max(high - max(low, bottom), 0.0)
     dx, dy, dz = tx - x, ty - y, tz - z
     level = sqrt(dx * dx + dy * dy)
