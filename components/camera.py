@@ -1,6 +1,7 @@
 """Where a picture is taken from: the eye, its axes and its lens."""
 
 from dataclasses import dataclass
+from math import inf
 from typing import Final
 
 import numpy as np
@@ -29,6 +30,8 @@ class Camera:
     "unit, (3,)"
     slope: float = 0.5773502691896257
     "tangent of half the vertical field of view"
+    sight: float = inf
+    "[m] at which things fade for this eye, in the clearest water"
 
     @property
     def axes(self) -> Float64s:

@@ -13,6 +13,8 @@ from systems.play.judge import viewfinder
 
 FISH_SLOPE: Final = 0.85
 """Least tangent of half the vertical field of view of a fish: it sees nearly all around, a window shows what it can."""
+_SIGHTS: Final = 2.5
+"""Sights at which the sea fades for a fish: it sees fishes of its size at one, rocks much farther."""
 _BEFORE_NOSE: Final = 0.10
 """[BL] of the eye before the nose: the snout does not hide the sea."""
 _BEHIND: Final = (1.5, 0.14)
@@ -42,7 +44,8 @@ def eyes(world: World, alpha: float, slope: float) -> Camera:
         )
     nose = float(world.senses.nose[fish.species[row]])
     eye = place + (nose + _BEFORE_NOSE) * length * gaze
-    return camera_towards(eye, eye + gaze, max(slope, FISH_SLOPE))
+    sight = _SIGHTS * float(world.senses.sight[fish.species[row]])
+    return replace(camera_towards(eye, eye + gaze, max(slope, FISH_SLOPE)), sight=sight)
 
 
 def _free(world: World, eye: Float64s) -> Float64s:

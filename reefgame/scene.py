@@ -4,7 +4,7 @@ The water fills only the pixels that nothing has covered yet, so its shader, the
 a pixel; fishes come after it because their fins are blended over what lies behind.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from components.camera import Camera
@@ -86,7 +86,8 @@ class Scene:
         """
         aspect = width / height
         start_drawing(width, height)
-        self._frame.update(camera, width, height, seconds, self._look)
+        look = replace(self._look, visibility=min(self._look.visibility, camera.sight))
+        self._frame.update(camera, width, height, seconds, look)
         self._rocks.draw(camera, aspect, height)
         self._rubble.draw(camera, aspect)
         self._ground.draw(camera, aspect)
@@ -94,7 +95,7 @@ class Scene:
         self._water.draw()
         pixels = height * self.quality.detail
         self._fish.draw(
-            *(self._world.population, camera, alpha, seconds, pixels, self._look.visibility),
+            *(self._world.population, camera, alpha, seconds, pixels, look.visibility),
             aspect=aspect,
         )
         self._food.draw(self._world.food, camera, alpha, self._world.clock.now)

@@ -200,6 +200,7 @@ def test_the_camera_looks_along_the_mean_heading_or_from_behind() -> None:
     steady = np.array([np.cross(a, b)[2] for (a, _), (b, _) in pairwise(gazes)])
     assert np.abs(steady).mean() < 0.5 * np.abs(shaken).mean()
     assert through.slope > 0.8
+    assert through.sight == 2.5 * world.senses.sight[fish.species[row(world)]]
     swim(world, 1, view=1)
     behind = eyes(world, 1.0, 0.5)
     way = fish.position[row(world)] - behind.eye

@@ -83,7 +83,7 @@ def test_a_player_becomes_a_fish_inspects_one_steps_and_looks_back(
     game.expect(r"chosen Sardine \d+")
     game.hands("key", "period")
     stepped = int(game.expect(r"tick \d+").split()[1])
-    game.hands("mousemove", "--window", window, "40", "307", "click", "1")
+    game.hands("mousemove", "--window", window, "40", "328", "click", "1")
     game.expect(r"tick \d+")
     assert int(game.seen[-1].split()[1]) < stepped // 2
     game.hands("key", "i")
