@@ -2,8 +2,8 @@
 
 Looking back changes nothing: the newest state is kept aside and put back. Memory is bounded: at most `MOST` snapshots
 of at most `BUDGET` bytes together; when there are more, every second one goes, so that a moment of a long dive is
-played again from at most a few seconds before. A dive of half an hour with 200 fishes takes about 45 MB, moods
-included.
+played again from at most a few seconds before. A dive of half an hour with 200 fishes takes about 50 MB, moods
+included. Where somebody looks, a few more are kept for a while: a step back is as quick as a step ahead.
 """
 
 from bisect import bisect_right
@@ -22,6 +22,10 @@ from reefgame.world import World
 MOST: Final = 240
 BUDGET: Final = 64 << 20
 "[bytes]"
+NEAR_EVERY: Final = 20
+"""[ticks] between the snapshots that are kept around a moment that is looked at ..."""
+MOST_NEAR: Final = 24
+"""... and how many of them."""
 MOOD_EVERY: Final = TICKS_PER_SECOND // 4
 """[ticks] between two looks at what every fish feels."""
 MOOD_BUDGET: Final = 24 << 20
@@ -61,6 +65,7 @@ class Timeline:
         self._moods: deque[Mood] = deque()
         self._mood_bytes = 0
         self._present: Snapshot | None = None
+        self._near: dict[int, Snapshot] = {}
 
     @property
     def at_present(self) -> bool:
@@ -97,17 +102,20 @@ class Timeline:
             self.to_present()
             return
         from_here = self.world.clock.now
-        shot = max(at for at in self._shots if at <= tick)
+        shots = self._shots | self._near
+        shot = max(at for at in shots if at <= tick)
         if not shot <= from_here <= tick:
-            self.world.restore(self._shots[shot])
+            self.world.restore(shots[shot])
         while self.world.clock.now < tick:
             self.world.tick(self.command(self.world.clock.now))
+            self._keep_near(self.world.clock.now, tick)
 
     def to_present(self) -> None:
         """Bring the world to its newest state."""
         if self._present is not None:
             self.world.restore(self._present)
             self._present = None
+            self._near.clear()
 
     def catch_up(self) -> None:
         """Say that the world was ticked while it stood in the past: it may have come to the present."""
@@ -128,6 +136,14 @@ class Timeline:
                 felt.append(mood.feeling[rows[0]])
         values = np.array(felt[::-1], np.float64).reshape(-1, len(FEELINGS)) / _FULL
         return np.array(ticks[::-1], np.int64), values
+
+    def _keep_near(self, now: int, tick: int) -> None:
+        """Take a snapshot on the last way to `tick`; the one taken longest ago goes."""
+        if now % NEAR_EVERY or tick - now > MOST_NEAR * NEAR_EVERY:
+            return
+        self._near[now] = self.world.snapshot()
+        if len(self._near) > MOST_NEAR:
+            del self._near[next(iter(self._near))]
 
     def _feel(self) -> None:
         fish, mind = self.world.population.fish, self.world.population.mind

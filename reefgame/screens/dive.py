@@ -89,7 +89,7 @@ class DiveScreen(Screen):
         self._flash: Panel = c.panel(0, 0, c.width, c.height, theme.CLEAR, order=6)
         self._print: Sprite | None = None
         self._border: Panel = c.panel(0, 0, 0, 0, (244, 248, 246, 255), radius=3 * c.unit, order=4)
-        hint(c, "B  become a fish     I  inspect     H  help     Esc  pause")
+        hint(c, "B  become a fish, and back     I  inspect     H  help     Esc  pause")
         self._show()
 
     def update(self, seconds: float) -> None:

@@ -121,8 +121,8 @@ class TimeBar:
         self._time = canvas.text(
             "", x + 10 * u, low + 22 * u, theme.SMALL, theme.MIST, "left center", order=2
         )
-        hint = canvas.text(
-            HINT,
+        self._hint = canvas.text(
+            "",
             left + wide - 16 * u,
             low + 22 * u,
             theme.TINY,
@@ -130,8 +130,7 @@ class TimeBar:
             "right center",
             order=2,
         )
-        if canvas.width < 1000 * u:
-            hint.set("")
+        self._wide = canvas.width >= 1000 * u
 
     def show(self, timeline: Timeline, now: int, rate: float, held: bool) -> None:
         """Show the tick, how fast time goes, and whether it is held."""
@@ -142,6 +141,7 @@ class TimeBar:
         self._knob.place(x + round(wide * part) - 8 * u, y - 2 * u, 16 * u, 16 * u)
         self._buttons[2][1].set("play" if held else "hold")
         where = "" if timeline.at_present else "   the past: closing returns to now"
+        self._hint.set(HINT if self._wide and timeline.at_present else "")
         speed = f"\u00d7{rate:g}" if rate >= 1.0 else f"1/{round(1.0 / rate)}"
         self._time.set(f"{moment(now)} of {moment(timeline.newest)}   tick {now}   {speed}{where}")
 
