@@ -8,6 +8,7 @@ import json
 import re
 import sys
 from collections.abc import Sequence
+from contextlib import ExitStack
 from pathlib import Path
 
 from components.fault import FaultError
@@ -278,12 +279,13 @@ def _soak(options: argparse.Namespace) -> int:
 
     check_output(options.trace)
     world = World.build(open_level(options.level, options.mod), options.seed or 0)
-    trace = Trace() if options.trace else None
     doing = f"{options.ticks} ticks of {options.level}"
-    with progress_bar(doing) as report:
-        soak(world, options.ticks, trace=trace, report=lambda done: report(done, doing))
-    if trace is not None:
-        trace.save(options.trace)
+    with ExitStack() as kept:
+        trace = kept.enter_context(Trace(options.trace)) if options.trace else None
+        with progress_bar(doing) as report:
+            soak(world, options.ticks, trace=trace, report=lambda done: report(done, doing))
+        if trace is not None:
+            trace.save()
     for name, value in world.checksums().items():
         say(f"{name} {value:016x}")
     return 0

@@ -10,6 +10,7 @@ that sucks it in, -1 for none, and `segment` (T, N). Samples wait in a temporary
 import tempfile
 import zipfile
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any, Final
 
@@ -17,7 +18,7 @@ import numpy as np
 
 from components.arrays import AnyArray
 from reefgame.autopilot import PilotScript, idle
-from reefgame.output import replacing
+from reefgame.output import replacing, unwritable
 from reefgame.world import World
 
 SAMPLE_EVERY: Final = 6
@@ -43,13 +44,29 @@ _RECORD: Final = np.dtype(
 
 
 class Trace:
-    """Collects samples of all fishes in a temporary file; rows of a sample are aligned by id when written."""
+    """Collects samples of all fishes in a temporary file; rows of a sample are aligned by id when written.
 
-    def __init__(self) -> None:
-        self._file: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115 (lives as long as the trace)
+    A context manager: the temporary file, which has no name, is gone as it ends. Raise InputError, one line, where
+    there is no room for it beside `path`.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        try:
+            self._file: IO[bytes] = tempfile.TemporaryFile(dir=path.absolute().parent)  # noqa: SIM115
+        except OSError as error:
+            raise unwritable(path, error) from None
         self._ticks: list[int] = []
         self._counts: list[int] = []
         self._species: dict[int, int] = {}
+
+    def __enter__(self) -> "Trace":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        # What a full disk did not take is still in the file's buffer.
+        with suppress(OSError):
+            self._file.close()
 
     def sample(self, world: World) -> None:
         """Add the world as it stands."""
@@ -61,12 +78,15 @@ class Trace:
         for name in ("intention", "why", "focus", "hunger", "libido", "fear"):
             records[name] = getattr(mind, name)[:n]
         records["swallowed"], records["segment"] = mind.swallowed_by[:n], people.motor.segment[:n]
-        self._file.write(records.tobytes())
+        try:
+            self._file.write(records.tobytes())
+        except OSError as error:
+            raise unwritable(self._path, error) from None
         self._ticks.append(world.clock.now)
         self._counts.append(n)
         self._species.update(zip(fish.id[:n].tolist(), fish.species[:n].tolist(), strict=True))
 
-    def save(self, path: Path) -> None:
+    def save(self) -> None:
         """Write the npz, whole or not at all. Raise InputError where it cannot be written."""
         ids = np.array(sorted(self._species), np.int64)
         kinds = np.array([self._species[identity] for identity in ids.tolist()], np.int32)
@@ -75,7 +95,10 @@ class Trace:
             "id": ids,
             "species": kinds,
         }
-        with replacing(path) as fresh, zipfile.ZipFile(fresh, "w", zipfile.ZIP_DEFLATED) as archive:
+        with (
+            replacing(self._path) as fresh,
+            zipfile.ZipFile(fresh, "w", zipfile.ZIP_DEFLATED) as archive,
+        ):
             for name, values in plain.items():
                 with archive.open(f"{name}.npy", "w") as member:
                     np.lib.format.write_array(member, values, allow_pickle=False)
