@@ -8,20 +8,29 @@ from components.repertoire_file import save
 from reefgame.console import InputError, complain, progress_bar, say
 from reefgame.content import read_species
 from reefgame.content.anatomy import body_of, swim_of
+from reefgame.motion_report import PAGE, write_report
 from reefgame.output import check_output, replacing, unwritable
 
 
-def capture_files(paths: Sequence[Path], output: Path | None) -> int:
+def capture_files(paths: Sequence[Path], output: Path | None, report: Path | None = None) -> int:
     """Capture the species of each YAML file and write NAME.npz; return the exit status.
 
-    Without `output` a file goes where its mod ships it: `repertoires/` beside the folder `species/`. All files are
-    checked before the first capture begins. Raise ContentError or InputError.
+    Without `output` a file goes where its mod ships it: `repertoires/` beside the folder `species/`. With `report` a
+    page about all of them is written there. All files are checked before the first capture begins. Raise ContentError
+    or InputError.
     """
     named = [read_species(path) for path in paths]
     for path in paths:
         _prepare(_target(path, output))
+    if report is not None:
+        _prepare(report / PAGE)
     for path, (_, file) in zip(paths, named, strict=True):
         _capture(path, body_of(file), swim_of(file), file.title, output)
+    if report is not None:
+        files = [
+            (_target(path, output), file) for path, (_, file) in zip(paths, named, strict=True)
+        ]
+        say(f"{write_report(report, files)}")
     return 0
 
 

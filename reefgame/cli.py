@@ -150,6 +150,9 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
     capture = commands.add_parser("capture", help="capture repertoires from muscle physics")
     capture.add_argument("species", type=Path, nargs="+", metavar="SPECIES.yaml")
     capture.add_argument("-o", "--output", type=Path, metavar="DIR", help="where the .npz go")
+    capture.add_argument(
+        "--report", type=Path, metavar="DIR", help="a page of figures and tables, index.html"
+    )
     capture.set_defaults(run=_capture)
 
 
@@ -292,7 +295,7 @@ def _soak(options: argparse.Namespace) -> int:
 def _capture(options: argparse.Namespace) -> int:
     from reefgame.captures import capture_files
 
-    return capture_files(options.species, options.output)
+    return capture_files(options.species, options.output, options.report)
 
 
 def _bench(options: argparse.Namespace) -> int:
