@@ -86,6 +86,11 @@ def tune(
                 following.begin(farm, max(1, farm.width // len(runs)))
 
 
+def most_jobs(subjects: int) -> int:
+    """Return how many jobs of so many subjects can ever run at once."""
+    return POPULATION * subjects
+
+
 def _number(name: Any) -> int:
     return int(name[0])
 
