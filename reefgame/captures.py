@@ -22,11 +22,13 @@ def capture_files(
     output: Path | None,
     report: Path | None = None,
     tuning: Tuning | None = None,
+    control_points: bool = False,
 ) -> int:
     """Capture the species of each YAML file and write NAME.npz; return the exit status.
 
     Without `output` a file goes where its mod ships it: `repertoires/` beside the folder `species/`. With `report` a
-    page about all of them is written there. With `tuning` their swims are found first and written into the YAML files.
+    page about all of them is written there. With `tuning` their swims are found first and written into the YAML files;
+    with `control_points` the files hold those of the skin too (tools/capture/control_points.py).
     All files are checked before the first capture begins. Raise ContentError or FaultError.
     """
     files = {path: read_species(path)[1] for path in paths}
@@ -37,6 +39,8 @@ def capture_files(
     if report is not None:
         _prepare(report / PAGE)
     captured = _captured(files) if tuning is None else tuned(list(files.items()), tuning)
+    if control_points:
+        captured = ((path, _with_skin(files[path], made)) for path, made in captured)
     done = {path: _keep(path, repertoire, output) for path, repertoire in captured}
     if report is not None and done:
         written = [(done[path], file) for path, file in files.items() if path in done]
@@ -76,6 +80,16 @@ def _captured(files: Mapping[Path, SpeciesFile]) -> Iterator[tuple[Path, Reperto
         except (ValueError, ArithmeticError) as error:
             raise InputError(f"{path}: this body does not swim: {error}") from None
         yield path, repertoire
+
+
+def _with_skin(file: SpeciesFile, repertoire: Repertoire) -> Repertoire:
+    """Return the repertoire with control points, having said what they cost."""
+    from tools.capture.control_points import memory, with_control_points
+
+    recorded = with_control_points(repertoire, body_of(file))
+    plain, more = memory(recorded)
+    say(f"{file.title}: {plain + more:,} bytes with control points, {plain:,} without")
+    return recorded
 
 
 def _tell(report: Report, title: str, done: float, what: str) -> None:

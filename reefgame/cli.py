@@ -164,6 +164,9 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
         "--report", type=Path, metavar="DIR", help="a page of figures and tables, index.html"
     )
     capture.add_argument(
+        "--control-points", action="store_true", help="for populous species: record the skin too"
+    )
+    capture.add_argument(
         "--tune", action="store_true", help="find each swim from the body, write it into the file"
     )
     capture.add_argument(
@@ -329,7 +332,9 @@ def _capture(options: argparse.Namespace) -> int:
     if tuning is None and (options.jobs or options.scheduler):
         raise InputError("--jobs and --scheduler need --tune")
 
-    return capture_files(options.species, options.output, options.report, tuning)
+    return capture_files(
+        options.species, options.output, options.report, tuning, options.control_points
+    )
 
 
 def _bench(options: argparse.Namespace) -> int:

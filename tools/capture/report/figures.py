@@ -83,7 +83,7 @@ def way(drawn: Silhouette, segment: Segment, fishes: int = 6, width: float = WID
     for frame in _even(len(run.nodes), fishes, first=True):
         axes(sheet, view, run.origin[frame + 1], run.rotation[frame + 1], 0.16)
     sheet.add("</g>")
-    ruler(sheet, view, 10.0, height - 12.0, 0.5, "half a body length")
+    ruler(sheet, view, 4.0, height + 13.0, 0.5, "half a body length")
     return sheet
 
 

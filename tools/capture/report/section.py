@@ -31,6 +31,7 @@ TITLES: Final = {
 _LINE: Final = "#1f6f9f"
 _SWIM_PANELS: Final = (8, 4)
 _TURN_PANELS: Final = (12, 4)
+_GRADUAL_PANELS: Final = (9, 3)
 _BY_WAY: Final = 560.0
 
 
@@ -131,6 +132,7 @@ class Section:
         segment = self._segment(pattern)
         started = pattern == Pattern.FAST_START_LEFT
         curve = [(TITLES[pattern], _LINE, segment)]
+        panels = _GRADUAL_PANELS if pattern == Pattern.TURN_LEFT else _TURN_PANELS
         title = TITLES[pattern]
         return f"<h4>{title}</h4>" + figure(
             [
@@ -140,12 +142,12 @@ class Section:
                 + plots.heading(curve, started).svg(f"{title}: heading against time")
                 + plots.pace(curve).svg(f"{title}: speed against time")
                 + "</div></div>",
-                figures.moments(self.drawn, segment, *_TURN_PANELS).svg(f"{title}, moments"),
+                figures.moments(self.drawn, segment, *panels).svg(f"{title}, moments"),
                 *self._beside(pattern),
             ],
             "Six moments over each other from first (blue) to last (green), the way of the centre (red) and of the "
             "nose (dotted); the head's own heading, which swings with the beat and so ends a little off the net turn; "
-            "twelve moments, as in Fig. 4 of papers/000. Turns to the right are its mirror image.",
+            "single moments, as in Fig. 4 of papers/000. Turns to the right are its mirror image.",
         )
 
     def _beside(self, pattern: Pattern) -> Iterable[str]:
