@@ -41,7 +41,7 @@ def moments(drawn: Silhouette, segment: Segment, count: int, columns: int) -> Dr
     run = replay(segment)
     chosen = _even(len(run.nodes), count)
     width = (WIDTH - 8.0 * (columns - 1)) / columns
-    view, height = window(_reach(drawn, run), width, _MARGIN)
+    view, height = window(_reach(drawn, run.nodes), width, _MARGIN)
     rows = ceil(count / columns)
     sheet = Drawing(WIDTH, rows * (height + _CAPTION + 6.0))
     for place, frame in enumerate(chosen):
@@ -70,11 +70,11 @@ def _moment(
 def way(drawn: Silhouette, segment: Segment, fishes: int = 6, width: float = WIDTH) -> Drawing:
     """Return a turn as one exposure: the fish at even moments along its path, with the ways of centre and nose."""
     run = replay(segment)
-    view, height = window(_reach(drawn, run), width, 0.1)
+    view, height = window(_reach(drawn, run.nodes), width, 0.1)
     view, height = _narrowed(view, height, 400.0)
     sheet = Drawing(width, height + 24.0)
     sheet.box(0, 0, width, height, f"{_PANEL} rx='4'")
-    centre = (width - view.scale * float(np.ptp(_reach(drawn, run)[..., 0]) + 0.2)) / 2.0
+    centre = (width - view.scale * float(np.ptp(_reach(drawn, run.nodes)[..., 0]) + 0.2)) / 2.0
     sheet.add(f"<g transform='translate({centre:.1f},0)'>")
     for place, frame in enumerate(_even(len(run.nodes), fishes, first=True)):
         fish_above(sheet, view, drawn, run.nodes[frame], place / (fishes - 1), 0.82)
@@ -97,7 +97,7 @@ def beats(drawn: Silhouette, segment: Segment) -> Drawing:
     frames = [floor(k * every * period) for k in range(1 + floor(_STRIP / (every * stride)))]
     frames = [frame for frame in frames if frame < len(run.nodes)]
     held = run.nodes[: frames[-1] + 1]
-    view, height = window(held, WIDTH, 0.08)
+    view, height = window(_reach(drawn, held), WIDTH, _MARGIN)
     sheet = Drawing(WIDTH, height + 4.0)
     sheet.box(0, 0, WIDTH, height, f"{_PANEL} rx='4'")
     tail = 0.5 * (held[:, 21] + held[:, 22])
@@ -151,9 +151,10 @@ def _facing(run: Replayed, frame: int) -> Float64s:
     return turned
 
 
-def _reach(drawn: Silhouette, run: Replayed) -> Float64s:
+def _reach(drawn: Silhouette, nodes: Float64s) -> Float64s:
+    """Return every point that figures from above draw, of nodes (F, 23, 3)."""
     lines = np.concatenate((drawn.above, drawn.tail_above, *drawn.fins_above))
-    reach: Float64s = np.einsum("pn,fnc->fpc", lines, run.nodes)
+    reach: Float64s = np.einsum("pn,fnc->fpc", lines, nodes)
     return reach
 
 

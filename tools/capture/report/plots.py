@@ -23,7 +23,7 @@ _GRID: Final = "stroke='#dfe9ed' stroke-width='1'"
 _FRAME: Final = "fill='#fbfdfe' stroke='#c4d6de'"
 _PHASES: Final = ("#12305a", "#1f6f9f", "#3fb573", "#e0a526", "#c8553d", "#6a3d7c", "#12305a")
 _LEFT, _TOP, _RIGHT, _BOTTOM = 46.0, 26.0, 14.0, 36.0
-_WAVES: Final = 14
+_WAVES: Final = 11
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ def midlines(
     """
     run = replay(segment, 2)
     period = len(segment.translation)
-    frames = np.round(np.linspace(0.0, 1.25 * period, _WAVES)).astype(int)
+    frames = np.arange(0, period + period // 4 + 1, max(1, round(period / _WAVES)))
     aside = np.einsum("sn,fn->fs", drawn.middle, run.nodes[:, :, 1])
     along = np.linspace(0.0, 1.0, STATIONS)
     beat = period / TICKS_PER_SECOND
@@ -217,7 +217,9 @@ def _stage_one(frame: Axes) -> None:
     right, bottom = frame.at((time.high or 0.0) / 1000.0, angle.low or 0.0)
     style = f"fill='{LIVING}' fill-opacity='.35' stroke='{LIVING}'"
     frame.sheet.box(left, top, right - left, bottom - top, style)
-    frame.sheet.text(right + 6, top + 11, "stage 1 of a living 10 cm fish", f"fill='{LIVING}'", 10)
+    end, low = frame.at(frame.x1, frame.y0)
+    words = f"text-anchor='end' fill='{LIVING}'"
+    frame.sheet.text(end - 8, low - 8, "box: stage 1 of a living fish of 10 cm", words, 10.5)
 
 
 def pace(
