@@ -12,7 +12,7 @@ from components.whole_file import write_whole
 from reefgame.console import InputError
 from reefgame.content.errors import ContentError
 from reefgame.content.nodes import Mapping as Tree
-from reefgame.content.nodes import Mark, Node, Scalar, plain
+from reefgame.content.nodes import Mark, Node, plain
 from reefgame.content.yaml_marks import parse, read_bytes, shown
 from reefgame.output import check_output, unwritable
 
@@ -96,6 +96,7 @@ class _Text:
         self.starts = [0, *(end.end() for end in _LINE_END.finditer(text))]
         first = _LINE_END.search(text)
         self.newline = first.group() if first else "\n"
+        self.ended = text.endswith(("\n", "\r"))
 
     def at(self, mark: Mark) -> int:
         """Return the place of a mark in the text."""
@@ -121,7 +122,7 @@ class _Text:
         start = self.at(node.mark)
         word = _WORD.match(self.text, start)
         end = word.end() if word else start
-        if isinstance(node, Scalar) and node.value is not None:
+        if end > start:
             new = new.strip()
         gap = _GAP_TO_COMMENT.match(self.text, end)
         if gap:
@@ -149,9 +150,10 @@ class _Text:
         if _BEFORE in root.keys:
             place = self.starts[self._top_of(root.keys[_BEFORE].line - 1)]
             return place, place, block + self.newline
-        place = len(self.text)
-        ended = self.text.endswith(("\n", "\r"))
-        return place, place, ("" if ended else self.newline) + self.newline + block
+        place, gap = len(self.text), self.newline
+        if not self.ended:
+            gap, self.ended = 2 * self.newline, True
+        return place, place, gap + block
 
     def _top_of(self, line: int) -> int:
         """Return the first of the comment lines that stand right above a line."""

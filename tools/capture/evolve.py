@@ -11,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 
 from components.fault import FaultError
-from tools.capture.search import START
+from tools.capture.search import FAILED, START
 
 POPULATION: Final = 10
 GENERATIONS: Final = 20
@@ -27,6 +27,9 @@ _GAIN: Final = 0.002
 _GOOD: Final = 0.05
 """... where its best costs no more than this."""
 
+
+_HOPE: Final = 5
+"""Generations of which one must swim at all."""
 
 _APART: Final = 0.08
 """How far apart candidates of a shortlist lie, in the unit cube."""
@@ -110,6 +113,8 @@ class Search:
     def done(self) -> bool:
         """Whether another generation is not worth its time."""
         if len(self._bests) >= GENERATIONS:
+            return True
+        if len(self._bests) >= _HOPE and self.cost >= FAILED:
             return True
         if len(self._bests) <= _PATIENCE or self.cost > _GOOD:
             return False

@@ -4,6 +4,8 @@ A job is a module-level function and its arguments, and gives the same result wh
 lost runs again elsewhere, a few times; results come as they are ready, by the name that each job was given.
 """
 
+import asyncio
+import logging
 import signal
 from collections.abc import Callable, Hashable, Iterator
 from concurrent.futures import (
@@ -51,12 +53,16 @@ class Farm:
         opener: Callable[[], Executor],
         width: int,
         lost: tuple[type[BaseException], ...] = (),
+        hopeless: tuple[type[BaseException], ...] = (),
         look: Callable[[], None] = lambda: None,
     ) -> None:
-        """`lost` are the exceptions that mean a lost worker; `look` raises FarmError where all are gone."""
+        """`lost` are the exceptions that mean a lost worker, `hopeless` those that mean several of the same job.
+
+        `look` raises FarmError where all workers are gone.
+        """
         self.width = width
         "how many jobs run at once"
-        self._opener, self._lost, self._look = opener, lost, look
+        self._opener, self._lost, self._hopeless, self._look = opener, lost, hopeless, look
         self._executor = opener()
         self._jobs: dict[Future[Any], Job] = {}
 
@@ -83,6 +89,8 @@ class Farm:
                 job = self._jobs.pop(future)
                 try:
                     result = future.result()
+                except self._hopeless as error:
+                    raise _deadly(error) from None
                 except self._lost as error:
                     self._again(job, error)
                     continue
@@ -100,9 +108,13 @@ class Farm:
     def _again(self, job: Job, error: BaseException) -> None:
         self._look()
         if job.tries == TRIES:
-            reason = str(error).strip().partition("\n")[0] or type(error).__name__
-            raise FarmError(f"workers were lost {TRIES} times at the same work: {reason}")
+            raise _deadly(error)
         self._begin(job._replace(tries=job.tries + 1))
+
+
+def _deadly(error: BaseException) -> FarmError:
+    reason = str(error).strip().partition("\n")[0] or type(error).__name__
+    return FarmError(f"workers were lost again and again at the same work: {reason}")
 
 
 class _Here(Executor):
@@ -139,13 +151,18 @@ def cluster(address: str, patience: float = 10.0) -> Farm:
     """
     try:
         from distributed import Client
+        from distributed.comm.core import connect
         from distributed.scheduler import KilledWorker
     except ImportError:
         raise FarmError("--scheduler needs Dask: pip install 'reefgame[farm]'") from None
+    for name in ("distributed", "distributed.client"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters is raised
     try:
-        connect: Any = Client
-        client = connect(address, timeout=patience, set_as_default=False)
-    except (OSError, ValueError, TypeError) as error:
+        # A client that nobody answers leaves threads behind that end with a traceback.
+        asyncio.run(_knock(connect, address, patience))
+        opener: Any = Client
+        client = opener(address, timeout=patience, set_as_default=False)
+    except (OSError, ValueError) as error:
         reason = str(error).strip().partition("\n")[0] or "no answer"
         raise FarmError(f"{address}: no Dask scheduler answers: {reason}") from None
     try:
@@ -153,18 +170,24 @@ def cluster(address: str, patience: float = 10.0) -> Farm:
     except OSError:
         client.close()
         raise FarmError(f"{address}: the Dask scheduler has no worker") from None
-    return _DaskFarm(client, address, patience, (KilledWorker, CancelledError))
+    return _DaskFarm(client, address, patience, (KilledWorker,))
+
+
+async def _knock(connect: Any, address: str, patience: float) -> None:
+    """Raise OSError or ValueError where no scheduler answers."""
+    await (await connect(address, timeout=patience)).close()
 
 
 class _DaskFarm(Farm):
     """A farm whose jobs run on a cluster, each checked to be of this very version of the game."""
 
     def __init__(
-        self, client: Any, address: str, patience: float, lost: tuple[type[BaseException], ...]
+        self, client: Any, address: str, patience: float, killed: tuple[type[BaseException], ...]
     ) -> None:
         self._client, self._address, self._patience = client, address, patience
         width = sum(client.nthreads().values())
-        super().__init__(partial(client.get_executor, pure=False), width, lost, self._inhabited)
+        opener = partial(client.get_executor, pure=False)
+        super().__init__(opener, width, (CancelledError,), killed, self._inhabited)
 
     def __exit__(self, *_: object) -> None:
         self._executor.shutdown(wait=False)

@@ -27,8 +27,8 @@ from tools.capture.turns import gradual_turn
 FAILED: Final = 50.0
 """Cost of a candidate that blows up or does not swim at all."""
 
-_RUN_SECONDS: Final = 4.0
-_RUN_BEATS: Final = 8
+_RUN_SECONDS: Final = 3.0
+_RUN_BEATS: Final = 6
 """A run lasts as long as either."""
 
 _STRIDE: Final = 0.52
@@ -56,6 +56,10 @@ _LARGEST: Final = 3.0
 """[BL] from a node to the nose, beyond which a simulated body has blown up."""
 
 
+_LEAST: Final = 0.002
+"""[BL] below which no part of a body is thought sound."""
+
+
 class Candidate(NamedTuple):
     """A way to swim, rounded as a species file holds it."""
 
@@ -81,7 +85,7 @@ def aim_of(body: Body, length: float) -> Aim:
     Speed in body lengths falls with the cube root of length, as that of living fishes does (FINDINGS 3), and deep
     bodies are slower than slender ones; small species cruise at 1 to 3 BL/s, and none slower than .6.
     """
-    depth = max(body.half_height)
+    depth = max([0.03, *(height for height in body.half_height if height < 0.5)])
     speed = 0.92 * length ** (-1 / 3) * (0.13 / depth) ** 0.25
     return Aim(body, round(min(max(speed, 1.0 if length < 0.5 else 0.6), 2.6), 2))
 
@@ -166,10 +170,24 @@ def _short_swim(body: Body, tried: Candidate, gear: Pattern) -> SwimFigures:
     reach = np.abs(recording.nodes - recording.nodes[:, :1]).max(axis=(1, 2))
     if not (reach < _LARGEST).all():
         frame = int(np.argmax(~(reach < _LARGEST)))
-        raise ValueError(f"the simulation blows up at frame {frame}")
+        raise ValueError(f"the simulation blows up at frame {frame}, likely for {_suspect(body)}")
     first = int(beat_start(recording, period) + 0.5)
     segment = cut(recording, gear, first, period, False)
     return measure_swim(recording, segment, first)
+
+
+def _suspect(body: Body) -> str:
+    """Return which of a body's numbers is least like a body's."""
+    for name in ("station", "half_width", "half_height"):
+        numbers = getattr(body, name)
+        for ring, value in enumerate(numbers):
+            if not _LEAST <= value <= 1.0 or (
+                name == "station" and value < max(numbers[:ring], default=0.0)
+            ):
+                return f"its {name} {value:g} at ring {ring + 1}"
+    if not _LEAST <= body.tail_span <= 1.0:
+        return f"its tail_span {body.tail_span:g}"
+    return "a stiffness or contraction too great"
 
 
 def _turn(body: Body, tried: Candidate) -> float:
