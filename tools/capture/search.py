@@ -154,10 +154,11 @@ def _beyond(value: float, limits: tuple[float, float]) -> float:
 
 def short_swims(body: Body, tried: Candidate) -> tuple[SwimFigures, SwimFigures]:
     """Return the figures of cruise and fast gear. Raise ValueError where the body does not swim."""
-    return (
-        _short_swim(body, tried, Pattern.SWIM_MEDIUM),
-        _short_swim(body, tried, Pattern.SWIM_FAST),
-    )
+    with np.errstate(all="ignore"):  # what numbers do not stand is told below
+        return (
+            _short_swim(body, tried, Pattern.SWIM_MEDIUM),
+            _short_swim(body, tried, Pattern.SWIM_FAST),
+        )
 
 
 def _short_swim(body: Body, tried: Candidate, gear: Pattern) -> SwimFigures:
