@@ -5,7 +5,6 @@ Segments stand in components/segment.py, the file's format in components/reperto
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TypeVar
 
 import numpy as np
@@ -67,7 +66,7 @@ class RepertoireLibrary:
     turn: Float64s
     "net change of heading of a segment [rad], positive to the left, (S,)"
 
-    @cached_property
+    @property
     def after(self) -> Int32s:
         """The entry that follows each: in a cycle the first follows the last, a turn's last itself, (E,)."""
         follows = np.arange(1, len(self.shape) + 1, dtype=np.int32)

@@ -64,30 +64,6 @@ def place_warped(
         nodes[h] = z + (p * u + q * v + s * w)
 
 
-@row
-def place_between(
-    d: Float32s,
-    after: Float32s,
-    part: float,
-    leave: Float32s,
-    leave_after: Float32s,
-    leave_part: float,
-    enter: Float32s,
-    weight: float,
-    r: Float64s,
-    o: Float64s,
-    size: float,
-    nodes: Float32s,
-) -> None:
-    """nodes <- `place_warped` of the shape `part` of the way from d to after, left at `leave_part` behind leave."""
-    a, b = np.float32(1.0 - part), np.float32(part)
-    e = np.float32(weight)
-    f, g = np.float32(weight * (1.0 - leave_part)), np.float32(weight * leave_part)
-    for n in range(3 * PLANE):
-        nodes[n] = a * d[n] + b * after[n] + (f * leave[n] + g * leave_after[n] - e * enter[n])
-    place_nodes(nodes, r, o, size, nodes)
-
-
 @inlined
 def mix_shapes(a: Float32s, b: Float32s, part: float, out: Float32s) -> None:
     """out <- (1 - part) a + part b, by planes, (72,)."""
@@ -149,15 +125,19 @@ def reconstruct(count: int, fish: Bodies, motor: Motors, track: Track, nodes: Fl
         row = motor.shape_row[i]
         d = flat[row]
         weight, part = motor.warp_weight[i], motor.part[i]
-        if part != 0.0 or (weight != 0.0 and motor.warp_part[i] != 0.0):
+        if weight != 0.0:
             leave, enter = motor.warp_from[i], motor.warp_to[i]
-            place_between(
-                d, flat[track.after[row]], part, flat[leave], flat[track.after[leave]],
-                motor.warp_part[i], flat[enter], weight, r, o, fish.length[i], out,
-            )  # fmt: skip
-        elif weight != 0.0:
-            leave, enter = flat[motor.warp_from[i]], flat[motor.warp_to[i]]
-            place_warped(d, leave, enter, weight, r, o, fish.length[i], out)
+            if part != 0.0 or motor.warp_part[i] != 0.0:
+                mix_shapes(d, flat[track.after[row]], part, out)
+                offset_shape(out, weight * (1.0 - motor.warp_part[i]), flat[leave], flat[enter])
+                offset_shape(
+                    out, weight * motor.warp_part[i], flat[track.after[leave]], flat[enter]
+                )
+                place_nodes(out, r, o, fish.length[i], out)
+            else:
+                place_warped(d, flat[leave], flat[enter], weight, r, o, fish.length[i], out)
+        elif part != 0.0:
+            place_warped(d, flat[track.after[row]], d, part, r, o, fish.length[i], out)
         else:
             place_nodes(d, r, o, fish.length[i], out)
 
