@@ -65,7 +65,7 @@ def _crowd() -> Iterator[Case]:
     copy = np.zeros_like(nodes)
 
     def pose() -> None:
-        reconstruct(people.count, fish, motor, data, nodes)
+        reconstruct(people.count, fish, motor, data.shape, data.after, nodes)
 
     posed, copied = in_turn((pose, lambda: np.copyto(copy, nodes)), _ROUNDS)
     yield Case(
@@ -119,7 +119,7 @@ def _full(rate: float = 1.0) -> Callable[[], None]:
     def spell() -> None:
         for _ in range(_CALLS):
             play(0, people.count, fish, motor, data)
-            reconstruct(people.count, fish, motor, data, nodes)
+            reconstruct(people.count, fish, motor, data.shape, data.after, nodes)
 
     return spell
 

@@ -201,7 +201,8 @@ def test_the_fast_kernel_shows_shapes_between_entries(
         _steered(fish, captured, rng, 0.1)
         move()
     nodes = np.empty((120, 3, PLANE), np.float32)
-    reconstruct(120, bodies(fish.fish), motors(fish.motor), track(captured), nodes)
+    played = track(captured)
+    reconstruct(120, bodies(fish.fish), motors(fish.motor), played.shape, played.after, nodes)
     planes = pose(fish, captured).transpose(0, 2, 1)
     np.testing.assert_allclose(nodes[:, :, : PLANE - 1], planes, atol=4e-6)
     weight, part = fish.motor.warp_weight[:120] > 0, fish.motor.part[:120] > 0
