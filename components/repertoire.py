@@ -66,6 +66,14 @@ class RepertoireLibrary:
     turn: Float64s
     "net change of heading of a segment [rad], positive to the left, (S,)"
 
+    @property
+    def after(self) -> Int32s:
+        """The entry that follows each: in a cycle the first follows the last, a turn's last itself, (E,)."""
+        follows = np.arange(1, len(self.shape) + 1, dtype=np.int32)
+        ends = self.start + self.length - 1
+        follows[ends] = np.where(self.loops == 1, self.start, ends)
+        return follows
+
 
 def pack(repertoires: Sequence[Repertoire]) -> RepertoireLibrary:
     """Return all segments end to end, species by species in `Pattern`'s order, with right turns mirrored."""
