@@ -31,7 +31,7 @@ from tools.capture.record import Recording
 CAPTURE_AND_SAVE = """
 import sys
 from pathlib import Path
-from components.body import Body, Swim
+from components.body import Body, Fin, Swim
 from components.repertoire import save
 from tools.capture.capture import capture
 save(Path(sys.argv[1]), capture({body!r}, {swim!r}))
@@ -178,7 +178,7 @@ def test_a_fast_start_takes_80_degrees_within_a_second_from_rest(shipped: Repert
     start, fast = shipped.segments[5], shipped.segments[Pattern.SWIM_FAST]
     assert start.pattern is Pattern.FAST_START_LEFT
     assert 40 <= len(start.rotation) <= 60
-    assert np.linalg.norm(start.translation[0]) < 0.004
+    assert np.linalg.norm(start.translation[0]) < 0.02
     origins, rotations, nodes = played(start, 1)
     assert np.degrees(heading_change(start)) > 80
     assert largest_joint(nodes[:, :, [0, 2, 1]]) < np.radians(70)

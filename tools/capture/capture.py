@@ -46,7 +46,7 @@ Progress = Callable[[float, str], None]
 """Told how far the work is, 0 to 1, and what is being done."""
 
 GEARS: Final[dict[Pattern, Gear]] = {
-    Pattern.SWIM_SLOW: (0.65, 0.65),
+    Pattern.SWIM_SLOW: (0.75, 0.6),
     Pattern.SWIM_MEDIUM: (1.0, 1.0),
     Pattern.SWIM_FAST: (1.0, 1.6),
 }
@@ -55,7 +55,7 @@ GEARS: Final[dict[Pattern, Gear]] = {
 SETTLE_FRAMES: Final = 16 * TICKS_PER_SECOND
 """How long a beat runs before it is cut."""
 
-_PHASE_RUNS: Final = 4
+_PHASE_RUNS: Final = 3
 _SOURCES: Final = (
     components.trigonometry,
     systems.motor.biomechanics,

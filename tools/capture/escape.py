@@ -23,7 +23,7 @@ from tools.capture.phase import begun
 from tools.capture.record import Recording, record
 from tools.capture.turns import Found
 
-SEARCHES: Final = 240
+SEARCHES: Final = 400
 """Changes of the loops that are tried."""
 
 NET_FRAMES: Final = TICKS_PER_SECOND
@@ -31,6 +31,12 @@ NET_FRAMES: Final = TICKS_PER_SECOND
 
 ENOUGH: Final = 110.0 * DEGREE
 """[rad] beyond which a farther turn counts for nothing."""
+
+EARLY_FRAMES: Final = 4
+"""When the first bend's turn of the head is measured, within 67 ms ..."""
+
+EARLY: Final = 90.0 * DEGREE
+"""[rad] ... beyond which a farther one counts for nothing."""
 
 JOINT: Final = 66.0 * DEGREE
 """[rad] that a joint may bend without loss."""
@@ -90,6 +96,7 @@ def _loss(model: BodyModel, loops: Float64s) -> float:
     net = level_turn(run.rotation[0], run.rotation[NET_FRAMES])
     loss = (ENOUGH - min(net, ENOUGH)) + 5.0 * max(0.0, largest_joint(run.nodes) - JOINT)
     loss += 3.0 * max(0.0, largest_joint(run.nodes[-1:]) - STRAIGHT)
+    loss += 0.5 * max(0.0, EARLY - level_turn(run.rotation[0], run.rotation[EARLY_FRAMES]))
     speed = speed_ahead(run.origin[-7:], run.rotation[-1, :, 0])
     return loss / DEGREE + 20.0 * max(0.0, LEAVING - speed)
 
@@ -99,9 +106,11 @@ def _bettered(model: BodyModel) -> Float64s:
     least, scale = min((_loss(model, scale * FAST_START), scale) for scale in _SCALES)
     loops, step = scale * FAST_START, _STEP
     for turn in range(SEARCHES):
+        if least <= 0.0:
+            break
         tried = loops.copy()
         for segment in range(tried.shape[0]):
-            for knot in range(1, tried.shape[1] - 1):
+            for knot in range(tried.shape[1] - 1):
                 place = tried.shape[1] * segment + knot
                 if uniform(_SEED, _STREAM, turn, 2 * place) < _SHARE:
                     change = 2.0 * uniform(_SEED, _STREAM, turn, 2 * place + 1) - 1.0
