@@ -37,9 +37,10 @@ from systems.motor.contract import TWO_PI, Stroke
 from systems.motor.muscle_model import BodyModel, body_model
 from tools.capture.cut import beat_start, cut
 from tools.capture.escape import fast_start
+from tools.capture.faults import check, suspect
 from tools.capture.measure import measure_swim
 from tools.capture.phase import Gear, begun, phase_notes
-from tools.capture.record import Recording, record
+from tools.capture.record import BlewUpError, Recording, record
 from tools.capture.turns import Found, gradual_turn, sharp_turn
 
 Progress = Callable[[float, str], None]
@@ -75,11 +76,19 @@ _SOURCES: Final = (
 
 
 def capture(body: Body, swim: Swim, progress: Progress | None = None) -> Repertoire:
-    """Return the repertoire of a species. Raise ValueError where the body does not swim at all.
+    """Return the repertoire of a species. Raise ValueError, one line, where the body does not swim at all.
 
     The provenance holds the fingerprint, each segment's figures and muscle phase (tools/capture/phase.py), and under
     "warnings" what is unlike a living fish.
     """
+    check(body, swim)
+    try:
+        return _repertoire(body, swim, progress)
+    except BlewUpError as error:
+        raise ValueError(f"{error}: {suspect(body, swim, error.frame + 1)}") from None
+
+
+def _repertoire(body: Body, swim: Swim, progress: Progress | None) -> Repertoire:
     segments: list[Segment] = []
     notes: dict[str, str] = {}
     warnings: list[str] = []

@@ -4,7 +4,7 @@ Two loops in the space of shapes turn a fish that has no speed. They are bettere
 change of its contractions at a time, which keeps joints below their limit; then the fast swim takes over.
 """
 
-from math import floor
+from math import floor, inf
 from typing import Final
 
 import numpy as np
@@ -20,7 +20,7 @@ from systems.motor.muscle_model import BodyModel
 from tools.capture.bend import START_LEAST, Bend, largest_joint, level_turn, speed_ahead
 from tools.capture.cut import body_shape, cut
 from tools.capture.phase import begun
-from tools.capture.record import Recording, record
+from tools.capture.record import BlewUpError, Recording, record
 from tools.capture.turns import Found
 
 SEARCHES: Final = 400
@@ -92,7 +92,10 @@ def _alone(model: BodyModel, loops: Float64s) -> Recording:
 
 def _loss(model: BodyModel, loops: Float64s) -> float:
     """Return what a fast start lacks, in degrees turned."""
-    run = _alone(model, loops)
+    try:
+        run = _alone(model, loops)
+    except BlewUpError:
+        return inf
     net = level_turn(run.rotation[0], run.rotation[NET_FRAMES])
     loss = (ENOUGH - min(net, ENOUGH)) + 5.0 * max(0.0, largest_joint(run.nodes) - JOINT)
     loss += 3.0 * max(0.0, largest_joint(run.nodes[-1:]) - STRAIGHT)

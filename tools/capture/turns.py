@@ -21,7 +21,7 @@ from tools.capture.bend import SHARP_LEAST, TURN_GAP, Bend, largest_joint, level
 from tools.capture.cut import body_shape, cut, shape_gap
 from tools.capture.measure import turn_faults, turn_text
 from tools.capture.phase import begun
-from tools.capture.record import Recording, at_rest, record
+from tools.capture.record import BlewUpError, Recording, at_rest, record
 
 
 class Found(NamedTuple):
@@ -89,8 +89,13 @@ class _Try(NamedTuple):
 
 
 def sharp_turn(model: BodyModel, stroke: Stroke, first: int) -> Found:
-    """Return the sharp left turn out of the cruise, one of whose beats begins at frame `first`."""
+    """Return the sharp left turn out of the cruise, one of whose beats begins at frame `first`.
+
+    Tries that blow up count for nothing. Raise BlewUpError where all do.
+    """
     tries = list(_tries(model, stroke, first))
+    if not tries:
+        raise BlewUpError(first)
     fit = [t for t in tries if t.bend.gap <= TURN_GAP and t.bend.joint <= SHARP_JOINT]
     best = max(fit, key=lambda t: t.bend.net) if fit else min(tries, key=lambda t: t.bend.joint)
     segment = cut(best.recording, Pattern.TURN_SHARP_LEFT, 0, best.length, False)
@@ -108,7 +113,10 @@ def _tries(model: BodyModel, stroke: Stroke, first: int) -> Iterator[_Try]:
         beat = record(model, stroke, period, state.copy(), begin)
         for scale in SHARP_SCALES:
             turning = turn_left(stroke, scale, begin + 1)
-            recording = record(model, turning, SHARP_END[1] + 2, state.copy(), begin)
+            try:
+                recording = record(model, turning, SHARP_END[1] + 2, state.copy(), begin)
+            except BlewUpError:
+                continue
             yield _cut_in_beat(recording, beat, begun(turning, begin + 1))
 
 
