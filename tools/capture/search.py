@@ -20,6 +20,7 @@ from systems.motor.biomechanics import SUBSTEPS
 from systems.motor.muscle_model import body_model
 from tools.capture.capture import GEARS
 from tools.capture.cut import beat_start, cut
+from tools.capture.faults import check
 from tools.capture.measure import SwimFigures, measure_swim
 from tools.capture.record import record
 from tools.capture.turns import gradual_turn
@@ -51,13 +52,6 @@ _FASTER: Final = 1.35
 
 _STEADY: Final = 2e-5
 """[BL] by which the shape may differ between two beats of a short run without cost."""
-
-_LARGEST: Final = 3.0
-"""[BL] from a node to the nose, beyond which a simulated body has blown up."""
-
-
-_LEAST: Final = 0.002
-"""[BL] below which no part of a body is thought sound."""
 
 
 class Candidate(NamedTuple):
@@ -154,11 +148,11 @@ def _beyond(value: float, limits: tuple[float, float]) -> float:
 
 def short_swims(body: Body, tried: Candidate) -> tuple[SwimFigures, SwimFigures]:
     """Return the figures of cruise and fast gear. Raise ValueError where the body does not swim."""
-    with np.errstate(all="ignore"):  # what numbers do not stand is told below
-        return (
-            _short_swim(body, tried, Pattern.SWIM_MEDIUM),
-            _short_swim(body, tried, Pattern.SWIM_FAST),
-        )
+    check(body, tried.swim)
+    return (
+        _short_swim(body, tried, Pattern.SWIM_MEDIUM),
+        _short_swim(body, tried, Pattern.SWIM_FAST),
+    )
 
 
 def _short_swim(body: Body, tried: Candidate, gear: Pattern) -> SwimFigures:
@@ -168,27 +162,9 @@ def _short_swim(body: Body, tried: Candidate, gear: Pattern) -> SwimFigures:
     period = stroke.period // SUBSTEPS
     frames = max(round(_RUN_SECONDS * TICKS_PER_SECOND), _RUN_BEATS * period) + 2 * period + 3
     recording = record(model, stroke, frames)
-    reach = np.abs(recording.nodes - recording.nodes[:, :1]).max(axis=(1, 2))
-    if not (reach < _LARGEST).all():
-        frame = int(np.argmax(~(reach < _LARGEST)))
-        raise ValueError(f"the simulation blows up at frame {frame}, likely for {_suspect(body)}")
     first = int(beat_start(recording, period) + 0.5)
     segment = cut(recording, gear, first, period, False)
     return measure_swim(recording, segment, first)
-
-
-def _suspect(body: Body) -> str:
-    """Return which of a body's numbers is least like a body's."""
-    for name in ("station", "half_width", "half_height"):
-        numbers = getattr(body, name)
-        for ring, value in enumerate(numbers):
-            if not _LEAST <= value <= 1.0 or (
-                name == "station" and value < max(numbers[:ring], default=0.0)
-            ):
-                return f"its {name} {value:g} at ring {ring + 1}"
-    if not _LEAST <= body.tail_span <= 1.0:
-        return f"its tail_span {body.tail_span:g}"
-    return "a stiffness or contraction too great"
 
 
 def _turn(body: Body, tried: Candidate) -> float:

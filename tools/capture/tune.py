@@ -23,7 +23,7 @@ from components.whole_file import write_whole
 from tools.capture.capture import Progress, capture
 from tools.capture.evolve import POPULATION, Search, optimiser_version
 from tools.capture.farm import Farm
-from tools.capture.search import FAILED, Aim, Candidate, aim_of, candidate, costs, short_swims
+from tools.capture.search import FAILED, Aim, Candidate, aim_of, candidate, costs
 from tools.capture.usable import unusable
 
 ATTEMPTS: Final = 2
@@ -193,7 +193,6 @@ def _rank(outcome: Tuned) -> tuple[bool, int]:
 def captured(aim: Aim, found: Candidate) -> tuple[Candidate, Repertoire | None, tuple[str, ...]]:
     """Return a candidate with its repertoire, and why that is not usable."""
     try:
-        short_swims(aim.body, found)
         repertoire = capture(replace(aim.body, stiffness=found.stiffness), found.swim)
     except (ValueError, ArithmeticError) as error:
         return found, None, (str(error),)
