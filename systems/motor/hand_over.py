@@ -1,0 +1,161 @@
+"""Hand-over between replay and live physics: shape, position, heading and speed are kept (papers/000, 9.1).
+
+Physics takes over the nodes that replay shows, and their speeds from the ticks before and after. Replay takes the fish
+back at the entry that it has kept in phase all along, and what differs of shape and speed fades as in any change of
+segment, from the slot's row of the library.
+"""
+
+from math import floor, sqrt
+from typing import Final
+
+import numpy as np
+
+from components.arrays import Float32s, Float64s
+from components.body import NODES
+from components.clock import TICKS_PER_SECOND
+from components.kernels import row
+from components.live import ENTERING, FREE, LEAVING, LIVE
+from components.rotation import turned
+from systems.motor.biomechanics import SUBSTEPS
+from systems.motor.columns import Bodies, Motors
+from systems.motor.live_step import Slots
+from systems.motor.strokes import Strokes
+from systems.motor.track import Track, apart
+from systems.motor.warp import SHORTEST_WARP, SMOOTHSTEP_SLOPE
+
+LEAVING_STEP: Final = 0.012
+"""[BL] that the fading offset may move a node in a tick after a hand-back."""
+
+BEHIND: Final = 0.5 + 0.5 / SUBSTEPS
+"""Share of the last tick's speed in the speed that physics begins with: it stands for the last substep."""
+
+
+@row
+def may_enter(i: int, motor: Motors, track: Track, strokes: Strokes) -> bool:
+    """Return whether the fish swims plainly: no turn, no warp, at the pace at which it was captured."""
+    segment = motor.segment[i]
+    if track.loops[segment] == 0 or strokes.known[segment] == 0 or motor.pace[i] != 1.0:
+        return False
+    settled: bool = motor.warp_length[i] == 0 and motor.last_warp_weight[i] == 0.0
+    return settled
+
+
+@row
+def _along_world(r: Float64s, shape: Float32s, n: int) -> tuple[float, float, float]:
+    """Return node `n` of a shape by planes, (3, 24), along world axes [BL]."""
+    u, v, w = np.float64(shape[0, n]), np.float64(shape[1, n]), np.float64(shape[2, n])
+    return (
+        r[0, 0] * u + r[0, 1] * v + r[0, 2] * w,
+        r[1, 0] * u + r[1, 1] * v + r[1, 2] * w,
+        r[2, 0] * u + r[2, 1] * v + r[2, 2] * w,
+    )
+
+
+@row
+def _way(i: int, fish: Bodies, k: int) -> float:
+    """Return how far the fish went in the last tick along a world axis [BL]."""
+    return float((fish.position[i, k] - fish.last_position[i, k]) / fish.length[i])
+
+
+@row
+def enter(s: int, i: int, slots: Slots, fish: Bodies, motor: Motors, track: Track) -> None:
+    """Let slot `s` take the fish of row `i` as replay shows it: its nodes, and their speeds behind.
+
+    Fine steering turns a live fish as a whole, so it has no part in the speeds.
+    """
+    shape, last = track.shape[motor.shape_row[i]], track.shape[motor.last_shape_row[i]]
+    p, q, v = motor.steer[i, 0], motor.steer[i, 1], motor.steer[i, 2]
+    for n in range(NODES):
+        x, y, z = _along_world(fish.rotation[i], shape, n)
+        a, b, c = _along_world(fish.last_rotation[i], last, n)
+        a, b, c = turned(a - _way(i, fish, 0), b - _way(i, fish, 1), c - _way(i, fish, 2), p, q, v)
+        slots.nodes[s, n, 0], slots.nodes[s, n, 1], slots.nodes[s, n, 2] = x, y, z
+        speed = slots.velocity[s, n]
+        speed[0] = TICKS_PER_SECOND * (x - a)
+        speed[1] = TICKS_PER_SECOND * (y - b)
+        speed[2] = TICKS_PER_SECOND * (z - c)
+    slots.stage[s] = ENTERING
+    slots.offset[s] = 0.0
+
+
+@row
+def begin(s: int, i: int, slots: Slots, fish: Bodies, motor: Motors, track: Track) -> None:
+    """Mix the speeds behind with those ahead, in the tick that replay has just played."""
+    shape, ahead = track.shape[motor.shape_row[i]], 1.0 - BEHIND
+    p, q, v = motor.steer[i, 0], motor.steer[i, 1], motor.steer[i, 2]
+    for n in range(NODES):
+        x, y, z = _along_world(fish.rotation[i], shape, n)
+        x, y, z = turned(x, y, z, -p, -q, -v)
+        speed, now = slots.velocity[s, n], slots.nodes[s, n]
+        x, y, z = x + _way(i, fish, 0), y + _way(i, fish, 1), z + _way(i, fish, 2)
+        speed[0] = BEHIND * speed[0] + ahead * TICKS_PER_SECOND * (x - now[0])
+        speed[1] = BEHIND * speed[1] + ahead * TICKS_PER_SECOND * (y - now[1])
+        speed[2] = BEHIND * speed[2] + ahead * TICKS_PER_SECOND * (z - now[2])
+    slots.stage[s] = LIVE
+
+
+@row
+def free(s: int, slots: Slots) -> None:
+    """Let slot `s` hold no fish; nothing of the last one is left in the state."""
+    slots.id[s], slots.stage[s], slots.entry[s], slots.side[s] = -1, FREE, 0, 0
+    slots.shape[s] = np.float32(0.0)
+    slots.nodes[s] = 0.0
+    slots.velocity[s] = 0.0
+    slots.travel[s] = 0.0
+    slots.rest[s] = 0.0
+    slots.offset[s] = 0.0
+
+
+@row
+def publish(s: int, first: int, slots: Slots, track: Track, shape: Float32s) -> None:
+    """Copy the slot's two shapes to the library's rows from `first` on, and to its track."""
+    for side in range(2):
+        at = first + 2 * s + side
+        for n in range(NODES):
+            for k in range(3):
+                shape[at, n, k] = slots.shape[s, side, n, k]
+                track.shape[at, k, n] = slots.shape[s, side, n, k]
+        for k in range(3):
+            track.translation[at, k] = slots.travel[s, k]
+        for pattern in range(track.match.shape[1]):
+            track.match[at, pattern] = track.match[slots.entry[s], pattern]
+
+
+@row
+def show(s: int, i: int, first: int, slots: Slots, motor: Motors) -> None:
+    """Let the fish of row `i` show the slot's shape, without any offset."""
+    motor.shape_row[i] = first + 2 * s + slots.side[s]
+    motor.warp_weight[i] = 0.0
+
+
+@row
+def leave(s: int, i: int, first: int, slots: Slots, motor: Motors, track: Track) -> None:
+    """Let the fish of row `i` replay from the next tick on: its entry, and what differs, which fades."""
+    entry, shown = slots.entry[s], first + 2 * s + slots.side[s]
+    gap = sqrt(apart(track.shape[shown], track.shape[entry], False))
+    motor.warp_from[i], motor.warp_to[i] = shown, entry
+    ticks = floor(gap * (SMOOTHSTEP_SLOPE / LEAVING_STEP)) + 1
+    motor.warp_length[i] = max(SHORTEST_WARP, ticks)
+    motor.warp_age[i] = 0
+    for k in range(3):
+        motor.glide[i, k] = slots.travel[s, k] - track.translation[entry, k]
+    slots.stage[s] = LEAVING
+
+
+@row
+def fall_back(s: int, i: int, first: int, slots: Slots, motor: Motors, track: Track) -> None:
+    """Let replay have a fish whose physics came to nothing this tick: it keeps its last shape, which then fades."""
+    leave(s, i, first, slots, motor, track)
+    motor.shape_row[i] = slots.entry[s]
+    motor.warp_weight[i] = 1.0
+
+
+@row
+def faded(s: int, i: int, first: int, motor: Motors) -> bool:
+    """Return whether the fish of row `i` shows nothing of slot `s` any more, now or a tick ago."""
+    own = first + 2 * s
+    if own <= motor.last_shape_row[i] < own + 2 or own <= motor.shape_row[i] < own + 2:
+        return False
+    left: bool = own <= motor.warp_from[i] < own + 2
+    weightless: bool = motor.warp_weight[i] == 0.0 and motor.last_warp_weight[i] == 0.0
+    return not left or (weightless and motor.warp_length[i] == 0)
