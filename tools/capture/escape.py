@@ -19,7 +19,8 @@ from systems.motor.contract import FAST_START, KNOT_SECONDS, TWO_PI, Stroke
 from systems.motor.muscle_model import BodyModel
 from tools.capture.bend import START_LEAST, Bend, largest_joint, level_turn, speed_ahead
 from tools.capture.cut import body_shape, cut
-from tools.capture.record import Recording, at_rest, record
+from tools.capture.phase import begun
+from tools.capture.record import Recording, record
 from tools.capture.turns import Found
 
 SEARCHES: Final = 240
@@ -72,7 +73,9 @@ def fast_start(model: BodyModel, fast: Stroke, beat: Segment) -> Found:
     joint = max(largest_joint(alone.nodes), largest_joint(runs[chosen].nodes[: length + 1]))
     bend = Bend(net, joint, gap)
     segment = cut(runs[chosen], Pattern.FAST_START_LEFT, 0, length, False)
-    return segment, bend.text(segment), bend.faults(START_LEAST, START_GAP)
+    faults = bend.faults(START_LEAST, START_GAP)
+    stroke = begun(_leaving(fast, loops, chosen * TWO_PI / _PHASES), 1)
+    return Found(segment, bend.text(segment), faults, stroke)
 
 
 def _alone(model: BodyModel, loops: Float64s) -> Recording:
@@ -114,10 +117,13 @@ def _bettered(model: BodyModel) -> Float64s:
 
 def _into_swim(model: BodyModel, fast: Stroke, loops: Float64s, offset: float) -> Recording:
     """Return a fast start that the fast swim follows, its beat shifted by `offset` [rad]."""
-    stroke = fast._replace(
+    return record(model, _leaving(fast, loops, offset), END[1] + 2)
+
+
+def _leaving(fast: Stroke, loops: Float64s, offset: float) -> Stroke:
+    return fast._replace(
         offset=offset, turn_at=SUBSTEPS, flight=1.0, loops=loops, swim_at=_LOOP_SUBSTEPS
     )
-    return record(model, stroke, END[1] + 2, at_rest(model))
 
 
 def _nearest(run: Recording, beat: Segment) -> tuple[float, int]:

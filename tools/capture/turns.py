@@ -20,10 +20,20 @@ from systems.motor.muscle_model import BodyModel
 from tools.capture.bend import SHARP_LEAST, TURN_GAP, Bend, largest_joint, level_turn
 from tools.capture.cut import body_shape, cut, shape_gap
 from tools.capture.measure import turn_faults, turn_text
+from tools.capture.phase import begun
 from tools.capture.record import Recording, at_rest, record
 
-Found = tuple[Segment, str, list[str]]
-"""A segment, its figures and its faults."""
+
+class Found(NamedTuple):
+    """A segment that was cut."""
+
+    segment: Segment
+    figures: str
+    "as one line for the provenance"
+    faults: list[str]
+    stroke: Stroke
+    "what the muscles do, counted from the first entry"
+
 
 GRADUAL: Final = 0.15
 """Scale of the pulses of a gradual turn."""
@@ -52,7 +62,8 @@ def gradual_turn(model: BodyModel, stroke: Stroke, first: int) -> Found:
         beats += 1
     gap = shape_gap(recording, first, first + beats * period)
     segment = cut(recording, Pattern.TURN_LEFT, first, beats * period, False)
-    return segment, turn_text(segment, gap), turn_faults(segment, gap, TURN_GAP)
+    faults = turn_faults(segment, gap, TURN_GAP)
+    return Found(segment, turn_text(segment, gap), faults, begun(turning, first + 1))
 
 
 class _Try(NamedTuple):
@@ -61,6 +72,7 @@ class _Try(NamedTuple):
     recording: Recording
     length: int
     bend: Bend
+    stroke: Stroke
 
 
 def sharp_turn(model: BodyModel, stroke: Stroke, first: int) -> Found:
@@ -69,7 +81,8 @@ def sharp_turn(model: BodyModel, stroke: Stroke, first: int) -> Found:
     fit = [t for t in tries if t.bend.gap <= TURN_GAP and t.bend.joint <= SHARP_JOINT]
     best = max(fit, key=lambda t: t.bend.net) if fit else min(tries, key=lambda t: t.bend.joint)
     segment = cut(best.recording, Pattern.TURN_SHARP_LEFT, 0, best.length, False)
-    return segment, best.bend.text(segment), best.bend.faults(SHARP_LEAST, TURN_GAP)
+    faults = best.bend.faults(SHARP_LEAST, TURN_GAP)
+    return Found(segment, best.bend.text(segment), faults, best.stroke)
 
 
 def _tries(model: BodyModel, stroke: Stroke, first: int) -> Iterator[_Try]:
@@ -82,10 +95,10 @@ def _tries(model: BodyModel, stroke: Stroke, first: int) -> Iterator[_Try]:
         for scale in SHARP_SCALES:
             turning = turn_left(stroke, scale, begin + 1)
             recording = record(model, turning, SHARP_END[1] + 2, state.copy(), begin)
-            yield _cut_in_beat(recording, beat)
+            yield _cut_in_beat(recording, beat, begun(turning, begin + 1))
 
 
-def _cut_in_beat(recording: Recording, beat: Recording) -> _Try:
+def _cut_in_beat(recording: Recording, beat: Recording, stroke: Stroke) -> _Try:
     """Return a turn up to the frame whose shape is nearest to the beat's in its phase."""
     shapes = [body_shape(beat, k) for k in range(len(beat.nodes))]
     period = len(shapes)
@@ -96,4 +109,4 @@ def _cut_in_beat(recording: Recording, beat: Recording) -> _Try:
     length = SHARP_END[0] + gaps.index(min(gaps))
     net = level_turn(beat.rotation[length % period], recording.rotation[length])
     joint = largest_joint(recording.nodes[: length + 1])
-    return _Try(recording, length, Bend(net, joint, min(gaps)))
+    return _Try(recording, length, Bend(net, joint, min(gaps)), stroke)
