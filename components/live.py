@@ -49,7 +49,7 @@ class LiveTable(Table):
     velocity: Float64s = column(np.float64, NODES, 3)
     "of the nodes [BL/s], world axes, (capacity, 23, 3)"
     travel: Float64s = column(np.float64, 3)
-    "way of the origin in the last tick [BL], body axes of the tick before, (capacity, 3)"
+    "way of the origin in the last tick over the pace [BL], body axes of the tick before, (capacity, 3)"
     rest: Float64s = column(np.float64, MUSCLES)
     "lengths [BL] that the muscles strove for last, (capacity, 12)"
     offset: Float64s = column(np.float64, MUSCLES)

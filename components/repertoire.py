@@ -5,6 +5,7 @@ Segments stand in components/segment.py, the file's format in components/reperto
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TypeVar
 
 import numpy as np
@@ -70,6 +71,16 @@ class RepertoireLibrary:
     "net change of heading of a segment [rad], positive to the left, (S,)"
     spare: int = 0
     "entries at the end that belong to no segment"
+
+    @cached_property
+    def after(self) -> Int32s:
+        """The entry that follows each: in a cycle the first follows the last, a turn's last and spare ones themselves,
+        (E,)."""
+        follows = np.arange(1, len(self.shape) + 1, dtype=np.int32)
+        ends = self.start + self.length - 1
+        follows[ends] = np.where(self.loops == 1, self.start, ends)
+        follows[len(follows) - self.spare :] -= 1
+        return follows
 
 
 def pack(repertoires: Sequence[Repertoire], spare: int = 0) -> RepertoireLibrary:

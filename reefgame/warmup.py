@@ -69,7 +69,7 @@ def compile_backwards() -> None:
     ship, people = world.submarine, world.population
     camera = camera_at(ship.position[0], float(ship.yaw[0]), 0.0)
     view = view_of(camera, 360.0, 16.0 / 9.0, world.level.water.visibility_m)
-    Culling(np.zeros(len(world.species)))(people, view, 0.5, 0.0)
+    Culling(np.zeros(len(world.species)), world.library.after)(people, view, 0.5, 0.0)
     for system in reversed(world.systems):
         system()
 

@@ -83,7 +83,7 @@ def _full() -> Callable[[], None]:
     def spell() -> None:
         for _ in range(_CALLS):
             play(0, people.count, fish, motor, data)
-            reconstruct(people.count, fish, motor, data.shape, nodes)
+            reconstruct(people.count, fish, motor, data, nodes)
 
     return spell
 

@@ -15,6 +15,7 @@ from components.body import NODES
 from components.clock import TICKS_PER_SECOND
 from components.kernels import row
 from components.live import ENTERING, FREE, LEAVING, LIVE
+from components.motor import RATES
 from components.rotation import turned
 from systems.motor.biomechanics import SUBSTEPS
 from systems.motor.columns import Bodies, Motors
@@ -31,19 +32,38 @@ BEHIND: Final = 0.5 + 0.5 / SUBSTEPS
 
 
 @row
+def at_rate(i: int, motor: Motors) -> bool:
+    """Return whether the fish swims with whole strides: muscles know no shorter ones, in which replay brakes."""
+    fit: bool = RATES[0] <= motor.pace[i] <= RATES[1]
+    return fit
+
+
+@row
 def may_enter(i: int, motor: Motors, track: Track, strokes: Strokes) -> bool:
-    """Return whether the fish swims plainly: no turn, no warp, at the pace at which it was captured."""
+    """Return whether the fish swims plainly: no turn, no warp, no braking."""
     segment = motor.segment[i]
-    if track.loops[segment] == 0 or strokes.known[segment] == 0 or motor.pace[i] != 1.0:
+    if track.loops[segment] == 0 or strokes.known[segment] == 0 or not at_rate(i, motor):
         return False
     settled: bool = motor.warp_length[i] == 0 and motor.last_warp_weight[i] == 0.0
     return settled
 
 
 @row
-def _along_world(r: Float64s, shape: Float32s, n: int) -> tuple[float, float, float]:
-    """Return node `n` of a shape by planes, (3, 24), along world axes [BL]."""
-    u, v, w = np.float64(shape[0, n]), np.float64(shape[1, n]), np.float64(shape[2, n])
+def _between(shape: Float32s, after: Float32s, part: float, n: int, k: int) -> float:
+    """Return a coordinate of a node that is shown `part` of the way between two shapes by planes, (3, 24)."""
+    d = np.float64(shape[k, n])
+    return d + part * (np.float64(after[k, n]) - d)
+
+
+@row
+def _along_world(
+    r: Float64s, at: int, part: float, n: int, track: Track
+) -> tuple[float, float, float]:
+    """Return node `n`, `part` of the way from entry `at` to the next, along world axes [BL]."""
+    shape, after = track.shape[at], track.shape[track.after[at]]
+    u = _between(shape, after, part, n, 0)
+    v = _between(shape, after, part, n, 1)
+    w = _between(shape, after, part, n, 2)
     return (
         r[0, 0] * u + r[0, 1] * v + r[0, 2] * w,
         r[1, 0] * u + r[1, 1] * v + r[1, 2] * w,
@@ -63,11 +83,14 @@ def enter(s: int, i: int, slots: Slots, fish: Bodies, motor: Motors, track: Trac
 
     Fine steering turns a live fish as a whole, so it has no part in the speeds.
     """
-    shape, last = track.shape[motor.shape_row[i]], track.shape[motor.last_shape_row[i]]
+    at, last = motor.shape_row[i], motor.last_shape_row[i]
     p, q, v = motor.steer[i, 0], motor.steer[i, 1], motor.steer[i, 2]
+    shape, after = track.shape[at], track.shape[track.after[at]]
     for n in range(NODES):
-        x, y, z = _along_world(fish.rotation[i], shape, n)
-        a, b, c = _along_world(fish.last_rotation[i], last, n)
+        for k in range(3):
+            slots.shape[s, 0, n, k] = np.float32(_between(shape, after, motor.part[i], n, k))
+        x, y, z = _along_world(fish.rotation[i], at, motor.part[i], n, track)
+        a, b, c = _along_world(fish.last_rotation[i], last, motor.last_part[i], n, track)
         a, b, c = turned(a - _way(i, fish, 0), b - _way(i, fish, 1), c - _way(i, fish, 2), p, q, v)
         slots.nodes[s, n, 0], slots.nodes[s, n, 1], slots.nodes[s, n, 2] = x, y, z
         speed = slots.velocity[s, n]
@@ -81,10 +104,10 @@ def enter(s: int, i: int, slots: Slots, fish: Bodies, motor: Motors, track: Trac
 @row
 def begin(s: int, i: int, slots: Slots, fish: Bodies, motor: Motors, track: Track) -> None:
     """Mix the speeds behind with those ahead, in the tick that replay has just played."""
-    shape, ahead = track.shape[motor.shape_row[i]], 1.0 - BEHIND
+    at, ahead = motor.shape_row[i], 1.0 - BEHIND
     p, q, v = motor.steer[i, 0], motor.steer[i, 1], motor.steer[i, 2]
     for n in range(NODES):
-        x, y, z = _along_world(fish.rotation[i], shape, n)
+        x, y, z = _along_world(fish.rotation[i], at, motor.part[i], n, track)
         x, y, z = turned(x, y, z, -p, -q, -v)
         speed, now = slots.velocity[s, n], slots.nodes[s, n]
         x, y, z = x + _way(i, fish, 0), y + _way(i, fish, 1), z + _way(i, fish, 2)
@@ -123,17 +146,19 @@ def publish(s: int, first: int, slots: Slots, track: Track, shape: Float32s) -> 
 
 @row
 def show(s: int, i: int, first: int, slots: Slots, motor: Motors) -> None:
-    """Let the fish of row `i` show the slot's shape, without any offset."""
+    """Let the fish of row `i` show the slot's shapes, without any offset."""
     motor.shape_row[i] = first + 2 * s + slots.side[s]
-    motor.warp_weight[i] = 0.0
+    motor.last_shape_row[i] = first + 2 * s + 1 - slots.side[s]
+    motor.warp_weight[i] = motor.last_warp_weight[i] = 0.0
 
 
 @row
 def leave(s: int, i: int, first: int, slots: Slots, motor: Motors, track: Track) -> None:
-    """Let the fish of row `i` replay from the next tick on: its entry, and what differs, which fades."""
+    """Let the fish of row `i` replay from the next tick on: its entry, and the whole of what differs, which fades."""
     entry, shown = slots.entry[s], first + 2 * s + slots.side[s]
     gap = sqrt(apart(track.shape[shown], track.shape[entry], False))
-    motor.warp_from[i], motor.warp_to[i] = shown, entry
+    motor.shape_row[i], motor.part[i], motor.warp_weight[i] = entry, 0.0, 1.0
+    motor.warp_from[i], motor.warp_part[i], motor.warp_to[i] = shown, 0.0, entry
     ticks = floor(gap * (SMOOTHSTEP_SLOPE / LEAVING_STEP)) + 1
     motor.warp_length[i] = max(SHORTEST_WARP, ticks)
     motor.warp_age[i] = 0
@@ -146,8 +171,7 @@ def leave(s: int, i: int, first: int, slots: Slots, motor: Motors, track: Track)
 def fall_back(s: int, i: int, first: int, slots: Slots, motor: Motors, track: Track) -> None:
     """Let replay have a fish whose physics came to nothing this tick: it keeps its last shape, which then fades."""
     leave(s, i, first, slots, motor, track)
-    motor.shape_row[i] = slots.entry[s]
-    motor.warp_weight[i] = 1.0
+    motor.last_shape_row[i], motor.last_warp_weight[i] = motor.warp_from[i], 0.0
 
 
 @row

@@ -19,6 +19,7 @@ from components.submarine import SubmarineTable
 from components.terrain import Terrain
 from systems.motor.columns import Bodies, Motors, bodies, motors
 from systems.motor.hand_over import (
+    at_rate,
     begin,
     enter,
     fall_back,
@@ -29,7 +30,7 @@ from systems.motor.hand_over import (
     publish,
     show,
 )
-from systems.motor.live_step import Hull, Scratch, Slots, frame_played, scratch, slots, step
+from systems.motor.live_step import Hull, Scratch, Slots, scratch, slots, step
 from systems.motor.strokes import Strokes
 from systems.motor.track import Track
 
@@ -53,7 +54,7 @@ class Ranking(NamedTuple):
 @row
 def play(
     s: int, i: int, first: int, slots: Slots, fish: Bodies, motor: Motors, track: Track,
-    strokes: Strokes, terrain: Terrain, hull: Hull, work: Scratch,
+    strokes: Strokes, terrain: Terrain, hull: Hull, work: Scratch, shape: Float32s,
 ) -> None:  # fmt: skip
     """Advance slot `s` by a tick; its fish stands in row `i`, -1 where it is gone."""
     stage = slots.stage[s]
@@ -63,7 +64,7 @@ def play(
     if stage == LEAVING:
         return
     segment = motor.segment[i]
-    slots.entry[s] = track.start[segment] + frame_played(i, motor, track)
+    slots.entry[s] = motor.shape_row[i]
     if stage == ENTERING:
         if not may_enter(i, motor, track, strokes):
             free(s, slots)
@@ -74,6 +75,9 @@ def play(
         slots.stage[s] = LEAVING
     elif step(s, i, slots, fish, motor, track, strokes, terrain, hull, work):
         show(s, i, first, slots, motor)
+        if not at_rate(i, motor):
+            publish(s, first, slots, track, shape)
+            leave(s, i, first, slots, motor, track)
     elif stage == ENTERING:
         free(s, slots)
     else:
@@ -88,7 +92,7 @@ def play_all(
     """Advance every slot; `rows` are their fishes', (C,). Threads share no fish."""
     for s in numba.prange(len(rows)):
         if slots.stage[s] != FREE:
-            play(s, rows[s], first, slots, fish, motor, track, strokes, terrain, hull, work)
+            play(s, rows[s], first, slots, fish, motor, track, strokes, terrain, hull, work, shape)
             publish(s, first, slots, track, shape)
 
 

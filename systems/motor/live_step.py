@@ -13,6 +13,7 @@ from components.arrays import Float32s, Float64s, Int8s, Int32s, Int64s
 from components.body import NODES
 from components.kernels import row
 from components.live import MUSCLES, LiveTable
+from components.motor import RATES
 from components.rotation import turned
 from components.submarine import HULL_RADIUS
 from components.terrain import Terrain, confine
@@ -133,35 +134,30 @@ def stroke_of_row(strokes: Strokes, segment: int) -> Stroke:
 
 
 @row
-def frame_played(i: int, motor: Motors, track: Track) -> int:
-    """Return the frame of the segment that replay has just played."""
-    frame = motor.frame[i]
-    return frame - 1 if frame > 0 else track.length[motor.segment[i]] - 1
-
-
-@row
 def swim_on(
-    s: int, i: int, frame: int, slots: Slots, fish: Bodies, motor: Motors, strokes: Strokes,
+    s: int, i: int, slots: Slots, fish: Bodies, motor: Motors, track: Track, strokes: Strokes,
     work: Scratch,
 ) -> None:  # fmt: skip
-    """Advance the nodes of slot `s` by four substeps of the stroke of its fish's segment.
+    """Advance the nodes of slot `s` by four substeps of the stroke of its fish's segment, at the rate of its replay.
 
     After a change of segment the muscles go over from the old stroke to the new one as replay's shapes do.
     """
     segment = motor.segment[i]
+    rate = max(RATES[0], min(RATES[1], motor.pace[i])) if track.loops[segment] == 1 else 1.0
+    place = SUBSTEPS * (slots.entry[s] - track.start[segment] + 1 + motor.part[i] - rate)
     model = model_of(strokes, fish.species[i], segment)
     stroke = stroke_of_row(strokes, segment)
     space = Workspace(work.rest[s], work.axes[s], work.band[s], work.right[s])
     for spring in range(SPRINGS):
         space.rest[spring] = model.length[spring]
     if motor.held[i] == 0:
-        contract(stroke, model.length, SUBSTEPS * frame, SUBSTEP_SECONDS, space.rest)
+        contract(stroke, model.length, place, SUBSTEP_SECONDS, space.rest)
         for m in range(MUSCLES):
             slots.offset[s, m] = slots.rest[s, m] - space.rest[m]
     weight = motor.warp_weight[i]
     nodes, velocity = slots.nodes[s], slots.velocity[s]
-    for step in range(SUBSTEPS * frame, SUBSTEPS * frame + SUBSTEPS):
-        contract(stroke, model.length, step, SUBSTEP_SECONDS, space.rest)
+    for step in range(SUBSTEPS):
+        contract(stroke, model.length, place + step * rate, SUBSTEP_SECONDS, space.rest)
         for m in range(MUSCLES):
             space.rest[m] += weight * slots.offset[s, m]
         assemble(model, nodes, velocity, space)
@@ -255,7 +251,7 @@ def step(
 
     Return False, the fish where replay put it, if the physics came to nothing.
     """
-    swim_on(s, i, frame_played(i, motor, track), slots, fish, motor, strokes, work)
+    swim_on(s, i, slots, fish, motor, track, strokes, work)
     nodes, o, r = slots.nodes[s], work.origin[s, 0], work.rotation[s]
     body_frame(nodes, o, r)
     for n in range(NODES):
@@ -271,7 +267,8 @@ def step(
     slots.side[s] = 1 - slots.side[s]
     size, was = fish.length[i], fish.last_rotation[i]
     for k in range(3):
-        slots.travel[s, k] = was[0, k] * o[0] + was[1, k] * o[1] + was[2, k] * o[2]
+        way = was[0, k] * o[0] + was[1, k] * o[1] + was[2, k] * o[2]
+        slots.travel[s, k] = way / motor.pace[i]
         fish.position[i, k] = fish.last_position[i, k] + size * o[k]
         for j in range(3):
             fish.rotation[i, j, k] = r[j, k]

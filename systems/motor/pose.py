@@ -6,6 +6,9 @@ axes, then made a rotation again (components/rotation.py, `between`); the shape 
 
     (1 - alpha) d[last_row] + alpha d[row] + w (d[warp_from] - d[warp_to]),
     w = (1 - alpha) last_warp_weight + alpha warp_weight.
+
+Fishes that play at another rate than 1 show shapes between two entries; alpha runs from the last such
+place to the one now (components/motor.py, `shown_between`).
 """
 
 import numpy as np
@@ -14,6 +17,7 @@ from components.arrays import Float32s, Float64s, Int32s, Int64s
 from components.body import NODES
 from components.fish import Population
 from components.kernels import inlined, row
+from components.motor import shown_between
 from components.repertoire import RepertoireLibrary
 from components.rotation import between
 from systems.motor.columns import Bodies, Motors, bodies, motors
@@ -60,6 +64,30 @@ def place_warped(
         nodes[h] = z + (p * u + q * v + s * w)
 
 
+@row
+def place_between(
+    d: Float32s,
+    after: Float32s,
+    part: float,
+    leave: Float32s,
+    leave_after: Float32s,
+    leave_part: float,
+    enter: Float32s,
+    weight: float,
+    r: Float64s,
+    o: Float64s,
+    size: float,
+    nodes: Float32s,
+) -> None:
+    """nodes <- `place_warped` of the shape `part` of the way from d to after, left at `leave_part` behind leave."""
+    a, b = np.float32(1.0 - part), np.float32(part)
+    e = np.float32(weight)
+    f, g = np.float32(weight * (1.0 - leave_part)), np.float32(weight * leave_part)
+    for n in range(3 * PLANE):
+        nodes[n] = a * d[n] + b * after[n] + (f * leave[n] + g * leave_after[n] - e * enter[n])
+    place_nodes(nodes, r, o, size, nodes)
+
+
 @inlined
 def mix_shapes(a: Float32s, b: Float32s, part: float, out: Float32s) -> None:
     """out <- (1 - part) a + part b, by planes, (72,)."""
@@ -83,6 +111,7 @@ def pose_rows(
     fish: Bodies,
     motor: Motors,
     shape: Float32s,
+    after: Int32s,
     alpha: float,
     body: bool,
     o: Float64s,
@@ -92,9 +121,16 @@ def pose_rows(
     """Fill nodes (rows, 72) from shapes (E, 72) as `pose` tells; o (3,) and r (3, 3) are scratch."""
     for at in range(len(rows)):
         i, out = rows[at], nodes[at]
-        mix_shapes(shape[motor.last_shape_row[i]], shape[motor.shape_row[i]], alpha, out)
+        last, part = motor.last_shape_row[i], motor.part[i]
+        a, b, share = shown_between(
+            last, motor.last_part[i], motor.shape_row[i], part, alpha, after
+        )
+        mix_shapes(shape[a], shape[b], share, out)
         weight = (1.0 - alpha) * motor.last_warp_weight[i] + alpha * motor.warp_weight[i]
-        offset_shape(out, weight, shape[motor.warp_from[i]], shape[motor.warp_to[i]])
+        leave, enter, part = motor.warp_from[i], motor.warp_to[i], motor.warp_part[i]
+        offset_shape(out, weight * (1.0 - part), shape[leave], shape[enter])
+        if part > 0.0:
+            offset_shape(out, weight * part, shape[after[leave]], shape[enter])
         if not body:
             between(fish.last_rotation[i], fish.rotation[i], alpha, r)
             for k in range(3):
@@ -104,14 +140,22 @@ def pose_rows(
 
 
 @row
-def reconstruct(count: int, fish: Bodies, motor: Motors, shape: Float32s, nodes: Float32s) -> None:
+def reconstruct(count: int, fish: Bodies, motor: Motors, track: Track, nodes: Float32s) -> None:
     """Fill nodes (count, 3, 24) [m], world axes, at the end of a tick: eq. 12 and the warps."""
-    flat, laid = shape.reshape(len(shape), 3 * PLANE), nodes.reshape(len(nodes), 3 * PLANE)
+    flat = track.shape.reshape(len(track.shape), 3 * PLANE)
+    laid = nodes.reshape(len(nodes), 3 * PLANE)
     for i in range(count):
         out, r, o = laid[i], fish.rotation[i], fish.position[i]
-        d = flat[motor.shape_row[i]]
-        weight = motor.warp_weight[i]
-        if weight != 0.0:
+        row = motor.shape_row[i]
+        d = flat[row]
+        weight, part = motor.warp_weight[i], motor.part[i]
+        if part != 0.0 or (weight != 0.0 and motor.warp_part[i] != 0.0):
+            leave, enter = motor.warp_from[i], motor.warp_to[i]
+            place_between(
+                d, flat[track.after[row]], part, flat[leave], flat[track.after[leave]],
+                motor.warp_part[i], flat[enter], weight, r, o, fish.length[i], out,
+            )  # fmt: skip
+        elif weight != 0.0:
             leave, enter = flat[motor.warp_from[i]], flat[motor.warp_to[i]]
             place_warped(d, leave, enter, weight, r, o, fish.length[i], out)
         else:
@@ -162,6 +206,7 @@ def pose(
     nodes = np.empty((len(chosen), 3 * PLANE), np.float32)
     fish, motor = bodies(population.fish), motors(population.motor)
     shape = planes(library.shape).reshape(-1, 3 * PLANE)
-    pose_rows(chosen, fish, motor, shape, alpha, body, np.empty(3), np.empty((3, 3)), nodes)
+    o, r = np.empty(3), np.empty((3, 3))
+    pose_rows(chosen, fish, motor, shape, library.after, alpha, body, o, r, nodes)
     laid = nodes.reshape(-1, 3, PLANE)[:, :, :NODES]
     return np.ascontiguousarray(laid.transpose(0, 2, 1))

@@ -61,7 +61,7 @@ class DrawFish:
 
         widest = c_int()
         gl.glGetIntegerv(gl.GL_MAX_TEXTURE_SIZE, byref(widest))
-        self.cull = Culling(np.array([s.skin.shine for s in species]))
+        self.cull = Culling(np.array([s.skin.shine for s in species]), library.after)
         self._textures = (c_uint * 3)()
         gl.glGenTextures(3, self._textures)
         self.widest = widest.value
@@ -195,6 +195,7 @@ class DrawFish:
         shape = library.shape
         texels = np.zeros((max(len(shape), 1), NODES, 4), np.float32)
         texels[: len(shape), :, :3] = shape
+        texels[: len(shape), :, 3] = library.after[:, None]
         self._upload_table(SHAPES_UNIT, wrapped(texels, side))
 
     def _upload_weights(self, levels: Sequence[Sequence[Level]], side: int) -> None:
