@@ -19,13 +19,19 @@ from components.motor import RATES
 from components.rotation import turned
 from systems.motor.biomechanics import SUBSTEPS
 from systems.motor.columns import Bodies, Motors
-from systems.motor.live_step import Slots
+from systems.motor.live_step import Slots, rate_of
 from systems.motor.strokes import Strokes
 from systems.motor.track import Track, apart
-from systems.motor.warp import SHORTEST_WARP, SMOOTHSTEP_SLOPE
+from systems.motor.warp import SMOOTHSTEP_SLOPE
 
 LEAVING_STEP: Final = 0.012
 """[BL] that the fading offset may move a node in a tick after a hand-back."""
+
+LEAVING_DRIFT: Final = 0.008
+"""[BL] by which a node may part from where replay shows it, in the tick before a hand-back."""
+
+SHORTEST_LEAVING: Final = 8
+"""[ticks]"""
 
 BEHIND: Final = 0.5 + 0.5 / SUBSTEPS
 """Share of the last tick's speed in the speed that physics begins with: it stands for the last substep."""
@@ -145,6 +151,12 @@ def publish(s: int, first: int, slots: Slots, track: Track, shape: Float32s) -> 
 
 
 @row
+def shows(s: int, at: int, first: int) -> bool:
+    """Return whether the library's row `at` is one of the slot's."""
+    return first + 2 * s <= at < first + 2 * s + 2
+
+
+@row
 def show(s: int, i: int, first: int, slots: Slots, motor: Motors) -> None:
     """Let the fish of row `i` show the slot's shapes, without any offset."""
     motor.shape_row[i] = first + 2 * s + slots.side[s]
@@ -153,14 +165,37 @@ def show(s: int, i: int, first: int, slots: Slots, motor: Motors) -> None:
 
 
 @row
+def may_leave(s: int, i: int, slots: Slots, motor: Motors, track: Track) -> bool:
+    """Return whether the fish of row `i` swims plainly, and its nodes as fast as those that replay would show."""
+    segment, now = motor.segment[i], slots.side[s]
+    if track.loops[segment] == 0 or motor.warp_length[i] != 0:
+        return False
+    entry, part = slots.entry[s], motor.part[i]
+    place = entry - track.start[segment] + part - rate_of(i, motor)
+    begun = floor(place)
+    place -= begun
+    before = track.start[segment] + begun % track.length[segment]
+    most = 0.0
+    for n in range(NODES):
+        square = 0.0
+        for k in range(3):
+            shape, after = track.shape[entry], track.shape[track.after[entry]]
+            way = slots.shape[s, now, n, k] - _between(shape, after, part, n, k)
+            shape, after = track.shape[before], track.shape[track.after[before]]
+            way -= slots.shape[s, 1 - now, n, k] - _between(shape, after, place, n, k)
+            square += way * way
+        most = max(most, square)
+    return most <= LEAVING_DRIFT * LEAVING_DRIFT
+
+
+@row
 def leave(s: int, i: int, first: int, slots: Slots, motor: Motors, track: Track) -> None:
-    """Let the fish of row `i` replay from the next tick on: its entry, and the whole of what differs, which fades."""
+    """Let the fish of row `i` replay from the next tick on; what differs of shape and speed fades."""
     entry, shown = slots.entry[s], first + 2 * s + slots.side[s]
     gap = sqrt(apart(track.shape[shown], track.shape[entry], False))
-    motor.shape_row[i], motor.part[i], motor.warp_weight[i] = entry, 0.0, 1.0
     motor.warp_from[i], motor.warp_part[i], motor.warp_to[i] = shown, 0.0, entry
     ticks = floor(gap * (SMOOTHSTEP_SLOPE / LEAVING_STEP)) + 1
-    motor.warp_length[i] = max(SHORTEST_WARP, ticks)
+    motor.warp_length[i] = max(SHORTEST_LEAVING, ticks)
     motor.warp_age[i] = 0
     for k in range(3):
         motor.glide[i, k] = slots.travel[s, k] - track.translation[entry, k]
@@ -168,18 +203,30 @@ def leave(s: int, i: int, first: int, slots: Slots, motor: Motors, track: Track)
 
 
 @row
+def left(s: int, i: int, slots: Slots, motor: Motors, track: Track) -> None:
+    """Say of a fish that has left in this tick what it showed before it in replay's terms: its entry and all of the
+    offset, so that a tick knows but one segment."""
+    entry, part, now = slots.entry[s], motor.last_part[i], slots.side[s]
+    shape, after = track.shape[entry], track.shape[track.after[entry]]
+    for n in range(NODES):
+        for k in range(3):
+            ahead = _between(shape, after, part, n, k) - np.float64(shape[k, n])
+            slots.shape[s, now, n, k] -= np.float32(ahead)
+    motor.last_shape_row[i], motor.last_warp_weight[i] = entry, 1.0
+
+
+@row
 def fall_back(s: int, i: int, first: int, slots: Slots, motor: Motors, track: Track) -> None:
     """Let replay have a fish whose physics came to nothing this tick: it keeps its last shape, which then fades."""
     leave(s, i, first, slots, motor, track)
+    motor.part[i], motor.warp_weight[i] = 0.0, 1.0
     motor.last_shape_row[i], motor.last_warp_weight[i] = motor.warp_from[i], 0.0
 
 
 @row
 def faded(s: int, i: int, first: int, motor: Motors) -> bool:
     """Return whether the fish of row `i` shows nothing of slot `s` any more, now or a tick ago."""
-    own = first + 2 * s
-    if own <= motor.last_shape_row[i] < own + 2 or own <= motor.shape_row[i] < own + 2:
+    if shows(s, motor.last_shape_row[i], first) or shows(s, motor.shape_row[i], first):
         return False
-    left: bool = own <= motor.warp_from[i] < own + 2
     weightless: bool = motor.warp_weight[i] == 0.0 and motor.last_warp_weight[i] == 0.0
-    return not left or (weightless and motor.warp_length[i] == 0)
+    return not shows(s, motor.warp_from[i], first) or (weightless and motor.warp_length[i] == 0)

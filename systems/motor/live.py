@@ -26,9 +26,12 @@ from systems.motor.hand_over import (
     faded,
     free,
     leave,
+    left,
     may_enter,
+    may_leave,
     publish,
     show,
+    shows,
 )
 from systems.motor.live_step import Hull, Scratch, Slots, scratch, slots, step
 from systems.motor.strokes import Strokes
@@ -62,6 +65,8 @@ def play(
         free(s, slots)
         return
     if stage == LEAVING:
+        if shows(s, motor.last_shape_row[i], first):
+            left(s, i, slots, motor, track)
         return
     segment = motor.segment[i]
     slots.entry[s] = motor.shape_row[i]
@@ -75,8 +80,8 @@ def play(
         slots.stage[s] = LEAVING
     elif step(s, i, slots, fish, motor, track, strokes, terrain, hull, work):
         show(s, i, first, slots, motor)
-        if not at_rate(i, motor):
-            publish(s, first, slots, track, shape)
+        publish(s, first, slots, track, shape)
+        if not at_rate(i, motor) and may_leave(s, i, slots, motor, track):
             leave(s, i, first, slots, motor, track)
     elif stage == ENTERING:
         free(s, slots)
@@ -148,14 +153,19 @@ def change_over(
     rows: Int64s, ids: Int64s, held: Int8s, first: int, slots: Slots, fish: Bodies, motor: Motors,
     track: Track, ranking: Ranking,
 ) -> None:  # fmt: skip
-    """Let the live fishes that are not among the nearest leave, and the nearest that are not live enter."""
+    """Let the live fishes that are not among the nearest leave, as soon as they swim plainly, and the nearest that are
+    not live enter."""
     for place in range(len(ranking.row)):
         i = ranking.row[place]
         if i >= 0 and held[i] == LIVE:
             held[i] = -LIVE
+    busy = 0
     for s in range(len(rows)):
-        if slots.stage[s] == LIVE and held[rows[s]] == LIVE:
-            leave(s, rows[s], first, slots, motor, track)
+        if slots.stage[s] == LIVE:
+            if held[rows[s]] == LIVE and may_leave(s, rows[s], slots, motor, track):
+                leave(s, rows[s], first, slots, motor, track)
+            else:
+                busy += 1
     s = 0
     for place in range(len(ranking.row)):
         i = ranking.row[place]
@@ -163,8 +173,9 @@ def change_over(
             continue
         while s < len(rows) and slots.stage[s] != FREE:
             s += 1
-        if s == len(rows):
+        if s == len(rows) or busy == len(ranking.row):
             return
+        busy += 1
         slots.id[s] = ids[i]
         enter(s, i, slots, fish, motor, track)
 

@@ -134,6 +134,12 @@ def stroke_of_row(strokes: Strokes, segment: int) -> Stroke:
 
 
 @row
+def rate_of(i: int, motor: Motors) -> float:
+    """Return how many entries of a swim the fish of row `i` plays in a tick."""
+    return max(RATES[0], min(RATES[1], float(motor.pace[i])))
+
+
+@row
 def swim_on(
     s: int, i: int, slots: Slots, fish: Bodies, motor: Motors, track: Track, strokes: Strokes,
     work: Scratch,
@@ -143,7 +149,7 @@ def swim_on(
     After a change of segment the muscles go over from the old stroke to the new one as replay's shapes do.
     """
     segment = motor.segment[i]
-    rate = max(RATES[0], min(RATES[1], motor.pace[i])) if track.loops[segment] == 1 else 1.0
+    rate = rate_of(i, motor) if track.loops[segment] == 1 else 1.0
     place = SUBSTEPS * (slots.entry[s] - track.start[segment] + 1 + motor.part[i] - rate)
     model = model_of(strokes, fish.species[i], segment)
     stroke = stroke_of_row(strokes, segment)
