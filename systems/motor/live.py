@@ -22,8 +22,8 @@ from systems.motor.hand_over import (
     at_rate,
     begin,
     enter,
-    fall_back,
     faded,
+    fall_back,
     free,
     leave,
     left,
@@ -211,7 +211,8 @@ class Live:
 
     def __call__(self) -> None:
         """Advance the fishes in live physics by a tick; now and then choose anew."""
-        columns, rows = slots(self.table), self.population.rows(self.table.live("id"))
+        columns = slots(self.table)
+        rows = self.population.rows(columns.id)
         fish, motor = bodies(self.population.fish), motors(self.population.motor)
         ship = self.submarine
         hull = Hull(ship.position[0], ship.velocity[0])

@@ -87,7 +87,7 @@ class Hull(NamedTuple):
 
 def slots(table: LiveTable) -> Slots:
     """Return the columns of `table`."""
-    return Slots(*(table.live(name) for name in Slots._fields))
+    return Slots(*(getattr(table, name)[: table.count] for name in Slots._fields))
 
 
 def scratch(count: int) -> Scratch:

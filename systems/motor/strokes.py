@@ -8,12 +8,13 @@ Entry k of a segment is frame k of its stroke. A segment without notes has no st
 import json
 from collections.abc import Mapping, Sequence
 from math import isfinite
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from components.arrays import Float64s, Int8s, Int64s
-from components.repertoire import MIRROR_IMAGES, Pattern, RepertoireLibrary
+from components.repertoire import Pattern, RepertoireLibrary
+from components.segment import MIRROR_IMAGES
 from components.species import Species
 from systems.motor.contract import FAST_START, TWO_PI, Stroke
 from systems.motor.controllers import balance, swim
@@ -27,6 +28,11 @@ RAMPED: Final = 120
 
 MOST_KNOTS: Final = 64
 """Of a fast start's loops."""
+
+
+_NUMBERS: Final = ("middle", "rear", "lag", "offset", "turn", "flight")
+_SUBSTEPS: Final = ("period", "swim_at")
+_BODY: Final = ("mass", "length", "stiffness", "damping", "start")
 
 
 class Strokes(NamedTuple):
@@ -121,22 +127,17 @@ def _loops(notes: Mapping[str, str]) -> Float64s | None:
 
 def _packed(count: int, found: Mapping[int, Stroke], models: Sequence[BodyModel]) -> Strokes:
     knots = max((s.loops.shape[1] for s in found.values()), default=FAST_START.shape[1])
-    fields = ("middle", "rear", "lag", "period", "offset", "turn", "flight", "swim_at")
-    whole = ("period", "swim_at")
-    columns = {
-        name: np.ones(count, np.int64 if name in whole else np.float64) for name in fields
-    }
-    loops, known = np.zeros((count, 3, knots)), np.zeros(count, np.int8)
+    columns: dict[str, Any] = {name: np.zeros(count) for name in _NUMBERS}
+    columns |= {name: np.ones(count, np.int64) for name in _SUBSTEPS}
+    known, loops = np.zeros(count, np.int8), np.zeros((count, 3, knots))
     water = np.tile(LAWS["streamlined"], (count, 1))
     for segment, stroke in found.items():
         known[segment] = 1
-        for name in fields:
-            columns[name][segment] = getattr(stroke, name)
+        for name, column in columns.items():
+            column[segment] = getattr(stroke, name)
         if stroke.flight != 0.0:
             loops[segment, :, : stroke.loops.shape[1]] = stroke.loops
             water[segment] = LAWS["firm"]
-    bodies = [
-        np.stack([getattr(model, name) for model in models])
-        for name in ("mass", "length", "stiffness", "damping", "start")
-    ]
-    return Strokes(known, *(columns[name] for name in fields), loops, water, *bodies)
+    for name in _BODY:
+        columns[name] = np.stack([getattr(model, name) for model in models])
+    return Strokes(known=known, loops=loops, water=water, **columns)
