@@ -48,7 +48,7 @@ class Game:
 
     @property
     def live(self) -> int:
-        """Fishes in live physics at most in the next dive, as command line or replay asked, else as the settings say."""
+        """Fishes in live physics at most in the next dive, as command line or replay asked, else as settings say."""
         return self.settings.live_physics if self._live is None else self._live
 
     @property

@@ -27,8 +27,13 @@ from systems.motor.warp import SMOOTHSTEP_SLOPE
 LEAVING_STEP: Final = 0.012
 """[BL] that the fading offset may move a node in a tick after a hand-back."""
 
-LEAVING_DRIFT: Final = 0.008
-"""[BL] by which a node may part from where replay shows it, in the tick before a hand-back."""
+LEAVING_MISS: Final = 0.014
+"""[BL] by which a node may move otherwise than replay would move it, in the tick after a hand-back: its drift in the
+tick before, and SWING of its distance."""
+
+SWING: Final = 0.4
+"""Half the square of how far [rad] the fastest beat comes in a tick: what swings about replay's place, and stands there
+now, parts by so much of its swing in the next tick."""
 
 SHORTEST_LEAVING: Final = 8
 """[ticks]"""
@@ -175,17 +180,18 @@ def may_leave(s: int, i: int, slots: Slots, motor: Motors, track: Track) -> bool
     begun = floor(place)
     place -= begun
     before = track.start[segment] + begun % track.length[segment]
-    most = 0.0
     for n in range(NODES):
-        square = 0.0
+        gap = drift = 0.0
         for k in range(3):
             shape, after = track.shape[entry], track.shape[track.after[entry]]
             way = slots.shape[s, now, n, k] - _between(shape, after, part, n, k)
+            gap += way * way
             shape, after = track.shape[before], track.shape[track.after[before]]
             way -= slots.shape[s, 1 - now, n, k] - _between(shape, after, place, n, k)
-            square += way * way
-        most = max(most, square)
-    return most <= LEAVING_DRIFT * LEAVING_DRIFT
+            drift += way * way
+        if sqrt(drift) + SWING * sqrt(gap) > LEAVING_MISS:
+            return False
+    return True
 
 
 @row

@@ -33,7 +33,16 @@ from systems.motor.hand_over import (
     show,
     shows,
 )
-from systems.motor.live_step import Hull, Scratch, Slots, scratch, slots, step
+from systems.motor.live_step import (
+    FARTHEST,
+    FARTHEST_AT_FIRST,
+    Hull,
+    Scratch,
+    Slots,
+    scratch,
+    slots,
+    step,
+)
 from systems.motor.strokes import Strokes
 from systems.motor.track import Track
 
@@ -70,7 +79,9 @@ def play(
         return
     segment = motor.segment[i]
     slots.entry[s] = motor.shape_row[i]
+    farthest = FARTHEST * (1.0 + 2.0 * motor.warp_weight[i])
     if stage == ENTERING:
+        farthest = FARTHEST_AT_FIRST
         if not may_enter(i, motor, track, strokes):
             free(s, slots)
             return
@@ -78,10 +89,10 @@ def play(
     if strokes.known[segment] == 0:
         # Replay has left the last shape for this segment already, as for any change.
         slots.stage[s] = LEAVING
-    elif step(s, i, slots, fish, motor, track, strokes, terrain, hull, work):
+    elif step(s, i, slots, fish, motor, track, strokes, terrain, hull, work, farthest):
         show(s, i, first, slots, motor)
-        publish(s, first, slots, track, shape)
         if not at_rate(i, motor) and may_leave(s, i, slots, motor, track):
+            publish(s, first, slots, track, shape)
             leave(s, i, first, slots, motor, track)
     elif stage == ENTERING:
         free(s, slots)

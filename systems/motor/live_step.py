@@ -36,9 +36,12 @@ from systems.motor.pectorals import Pectorals, press
 from systems.motor.strokes import Strokes
 from systems.motor.track import Track
 
-FARTHEST: Final = 0.6
-"""[BL] of a node from where replay shows it, twice that as a change of segment begins: beyond, physics has failed or
+FARTHEST: Final = 0.3
+"""[BL] of a node from where replay shows it, thrice that as a change of segment begins: beyond, physics has failed or
 the body has folded, and replay goes on."""
+
+FARTHEST_AT_FIRST: Final = 0.015
+"""... and in its first tick, else it goes on replaying."""
 
 HULL_KEEP: Final = 0.25
 """Half a fish's width, over its length: what its nodes' middles keep from the hull."""
@@ -232,16 +235,18 @@ def hold_inside(s: int, i: int, slots: Slots, fish: Bodies, terrain: Terrain) ->
 
 
 @row
-def sound(s: int, slots: Slots, shape: Float32s, farthest: float, work: Scratch) -> bool:
-    """Write the nodes in body axes to the slot's other shape; return whether all are near replay's `shape`, (3, 24)."""
-    r, nodes = work.rotation[s], slots.nodes[s]
+def sound(s: int, slots: Slots, track: Track, part: float, farthest: float, work: Scratch) -> bool:
+    """Write the nodes in body axes to the slot's other shape; return whether all are near those of replay, which stands
+    `part` behind the slot's entry."""
+    r, nodes, entry = work.rotation[s], slots.nodes[s], slots.entry[s]
+    shape, after = track.shape[entry], track.shape[track.after[entry]]
     out = slots.shape[s, 1 - slots.side[s]]
     for n in range(NODES):
         square = 0.0
         for k in range(3):
             d = r[0, k] * nodes[n, 0] + r[1, k] * nodes[n, 1] + r[2, k] * nodes[n, 2]
             out[n, k] = np.float32(d)
-            d -= np.float64(shape[k, n])
+            d -= shape[k, n] + part * (after[k, n] - shape[k, n])
             square += d * d
         if not square <= farthest * farthest:
             return False
@@ -251,11 +256,11 @@ def sound(s: int, slots: Slots, shape: Float32s, farthest: float, work: Scratch)
 @row
 def step(
     s: int, i: int, slots: Slots, fish: Bodies, motor: Motors, track: Track, strokes: Strokes,
-    terrain: Terrain, hull: Hull, work: Scratch,
+    terrain: Terrain, hull: Hull, work: Scratch, farthest: float,
 ) -> bool:  # fmt: skip
     """Simulate a tick of the fish in row `i`, held in slot `s`: its nodes, and where it is and looks.
 
-    Return False, the fish where replay put it, if the physics came to nothing.
+    Return False, the fish where replay put it, if a node is farther than `farthest` [BL] from replay's or nowhere.
     """
     swim_on(s, i, slots, fish, motor, track, strokes, work)
     nodes, o, r = slots.nodes[s], work.origin[s, 0], work.rotation[s]
@@ -267,8 +272,7 @@ def step(
     turn_all(nodes, turn[0], turn[1], turn[2])
     turn_all(slots.velocity[s], turn[0], turn[1], turn[2])
     body_frame(nodes, work.origin[s, 1], r)
-    farthest = FARTHEST * (1.0 + motor.warp_weight[i])
-    if not sound(s, slots, track.shape[slots.entry[s]], farthest, work):
+    if not sound(s, slots, track, motor.part[i], farthest, work):
         return False
     slots.side[s] = 1 - slots.side[s]
     size, was = fish.length[i], fish.last_rotation[i]
