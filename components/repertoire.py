@@ -5,7 +5,6 @@ Segments stand in components/segment.py, the file's format in components/reperto
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TypeVar
 
 import numpy as np
@@ -72,7 +71,7 @@ class RepertoireLibrary:
     spare: int = 0
     "entries at the end that belong to no segment"
 
-    @cached_property
+    @property
     def after(self) -> Int32s:
         """The entry that follows each: in a cycle the first follows the last, a turn's last and spare ones themselves,
         (E,)."""

@@ -16,6 +16,7 @@ from reefgame.console import InputError, complain, open_streams, progress_bar, s
 
 _LARGEST_SIDE = 16_384
 _LARGEST_SEED = 2**62
+_MOST_JOBS = 1000
 _NEGATIVE = (
     "--from",
     "--at",
@@ -25,6 +26,7 @@ _NEGATIVE = (
     "--size",
     "--checksum-every",
     "--live",
+    "--jobs",
 )
 
 
@@ -162,6 +164,24 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
     capture = commands.add_parser("capture", help="capture repertoires from muscle physics")
     capture.add_argument("species", type=Path, nargs="+", metavar="SPECIES.yaml")
     capture.add_argument("-o", "--output", type=Path, metavar="DIR", help="where the .npz go")
+    capture.add_argument(
+        "--report", type=Path, metavar="DIR", help="a page of figures and tables, index.html"
+    )
+    capture.add_argument(
+        "--control-points", action="store_true", help="for populous species: record the skin too"
+    )
+    capture.add_argument(
+        "--tune", action="store_true", help="find each swim from the body, write it into the file"
+    )
+    capture.add_argument(
+        "--seed", type=_seed, default=0, metavar="N", help="with --tune: what chance starts from"
+    )
+    capture.add_argument(
+        "--jobs", type=_jobs, metavar="N", help="with --tune: processes, else one a processor"
+    )
+    capture.add_argument(
+        "--scheduler", metavar="ADDRESS", help="with --tune: the Dask scheduler whose workers do it"
+    )
     capture.set_defaults(run=_capture)
 
 
@@ -214,6 +234,13 @@ def _fishes(text: str) -> int:
     from components.live import MOST_LIVE
 
     return _whole(text, "number of fishes", MOST_LIVE)
+
+
+def _jobs(text: str) -> int:
+    jobs = _whole(text, "number of jobs", _MOST_JOBS)
+    if jobs == 0:
+        raise InputError(f"number of jobs '0': a whole number from 1 to {_MOST_JOBS} is expected")
+    return jobs
 
 
 def _point(text: str) -> tuple[float, float, float]:
@@ -320,8 +347,15 @@ def _soak(options: argparse.Namespace) -> int:
 
 def _capture(options: argparse.Namespace) -> int:
     from reefgame.captures import capture_files
+    from reefgame.tuning import Tuning
 
-    return capture_files(options.species, options.output)
+    tuning = Tuning(options.seed, options.jobs, options.scheduler) if options.tune else None
+    if tuning is None and (options.jobs or options.scheduler):
+        raise InputError("--jobs and --scheduler need --tune")
+
+    return capture_files(
+        options.species, options.output, options.report, tuning, options.control_points
+    )
 
 
 def _bench(options: argparse.Namespace) -> int:

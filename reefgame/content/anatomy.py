@@ -1,11 +1,21 @@
 """A checked species file turned into what the game works with (components/species.py)."""
 
+from typing import Final
+
 from components.body import Body, Fin, Swim
+from components.fault import FaultError
 from components.mind import Role
 from components.repertoire import Repertoire
 from components.species import Species
 from reefgame.content.schema.species import MedianFin, SpeciesFile
 from reefgame.content.skins import skin_of
+
+UNTUNED: Final = "has no `swim` yet, find it with: reefgame capture --tune"
+"""What is wrong with a species that no level can show; the file's name follows."""
+
+
+class UntunedError(FaultError):
+    """A species that is to swim has no `swim` yet."""
 
 
 def _fin(fin: MedianFin | None) -> Fin | None:
@@ -40,8 +50,10 @@ def body_of(file: SpeciesFile) -> Body:
 
 
 def swim_of(file: SpeciesFile) -> Swim:
-    """Return how the file's species swims."""
+    """Return how the file's species swims. Raise UntunedError where the file does not say."""
     swim = file.swim
+    if swim is None:
+        raise UntunedError(f"the species '{file.title}' {UNTUNED} SPECIES.yaml")
     return Swim(
         float(swim.contraction_middle),
         float(swim.contraction_rear),

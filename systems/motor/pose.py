@@ -64,30 +64,6 @@ def place_warped(
         nodes[h] = z + (p * u + q * v + s * w)
 
 
-@row
-def place_between(
-    d: Float32s,
-    after: Float32s,
-    part: float,
-    leave: Float32s,
-    leave_after: Float32s,
-    leave_part: float,
-    enter: Float32s,
-    weight: float,
-    r: Float64s,
-    o: Float64s,
-    size: float,
-    nodes: Float32s,
-) -> None:
-    """nodes <- `place_warped` of the shape `part` of the way from d to after, left at `leave_part` behind leave."""
-    a, b = np.float32(1.0 - part), np.float32(part)
-    e = np.float32(weight)
-    f, g = np.float32(weight * (1.0 - leave_part)), np.float32(weight * leave_part)
-    for n in range(3 * PLANE):
-        nodes[n] = a * d[n] + b * after[n] + (f * leave[n] + g * leave_after[n] - e * enter[n])
-    place_nodes(nodes, r, o, size, nodes)
-
-
 @inlined
 def mix_shapes(a: Float32s, b: Float32s, part: float, out: Float32s) -> None:
     """out <- (1 - part) a + part b, by planes, (72,)."""
@@ -140,21 +116,34 @@ def pose_rows(
 
 
 @row
-def reconstruct(count: int, fish: Bodies, motor: Motors, track: Track, nodes: Float32s) -> None:
-    """Fill nodes (count, 3, 24) [m], world axes, at the end of a tick: eq. 12 and the warps."""
-    flat = track.shape.reshape(len(track.shape), 3 * PLANE)
-    laid = nodes.reshape(len(nodes), 3 * PLANE)
+def _place_between(
+    i: int, fish: Bodies, motor: Motors, after: Int32s, flat: Float32s, out: Float32s
+) -> None:
+    """Fill the nodes, (72,), of a fish between two entries, or whose warp left from there; see `reconstruct`."""
+    row, leave, enter = motor.shape_row[i], motor.warp_from[i], motor.warp_to[i]
+    weight, part = motor.warp_weight[i], motor.warp_part[i]
+    mix_shapes(flat[row], flat[after[row]], motor.part[i], out)
+    if weight != 0.0:
+        offset_shape(out, weight * (1.0 - part), flat[leave], flat[enter])
+        offset_shape(out, weight * part, flat[after[leave]], flat[enter])
+    place_nodes(out, fish.rotation[i], fish.position[i], fish.length[i], out)
+
+
+@row
+def reconstruct(
+    count: int, fish: Bodies, motor: Motors, shape: Float32s, after: Int32s, nodes: Float32s
+) -> None:
+    """Fill nodes (count, 3, 24) [m], world axes, at the end of a tick: eq. 12 and the warps.
+
+    `shape` and `after` are the track's; taken out of it they cost a tenth less.
+    """
+    flat, laid = shape.reshape(len(shape), 3 * PLANE), nodes.reshape(len(nodes), 3 * PLANE)
     for i in range(count):
         out, r, o = laid[i], fish.rotation[i], fish.position[i]
-        row = motor.shape_row[i]
-        d = flat[row]
-        weight, part = motor.warp_weight[i], motor.part[i]
-        if part != 0.0 or (weight != 0.0 and motor.warp_part[i] != 0.0):
-            leave, enter = motor.warp_from[i], motor.warp_to[i]
-            place_between(
-                d, flat[track.after[row]], part, flat[leave], flat[track.after[leave]],
-                motor.warp_part[i], flat[enter], weight, r, o, fish.length[i], out,
-            )  # fmt: skip
+        d = flat[motor.shape_row[i]]
+        weight = motor.warp_weight[i]
+        if motor.part[i] != 0.0 or (weight != 0.0 and motor.warp_part[i] != 0.0):
+            _place_between(i, fish, motor, after, flat, out)
         elif weight != 0.0:
             leave, enter = flat[motor.warp_from[i]], flat[motor.warp_to[i]]
             place_warped(d, leave, enter, weight, r, o, fish.length[i], out)

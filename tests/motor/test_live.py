@@ -89,7 +89,8 @@ class _Drill:
             may_leave(s, i, columns, motor, track)
             for s, i in zip(held, _rows(self.world, held), strict=True)
         ]
-        return held[np.array(fit, bool)]
+        ready: Int64s = held[np.array(fit, bool)]
+        return ready
 
 
 def _farthest(one: tuple[Float64s, Float64s], other: tuple[Float64s, Float64s]) -> list[float]:

@@ -157,7 +157,8 @@ class SpeciesFile(Strict):
     school: School
     body: BodyShape
     fins: Fins
-    swim: SwimStyle
+    swim: SwimStyle | None = None
+    """May be missing until `reefgame capture --tune` has found it; only then the species swims."""
     skin: SkinLook
 
     @field_validator("depth_m")

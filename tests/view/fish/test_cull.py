@@ -117,6 +117,24 @@ def test_records_blend_place_and_warp_between_ticks(ahead: Camera) -> None:
     assert record[19] == pytest.approx(0.9)
 
 
+def test_records_of_a_fish_between_entries_hold_neighbouring_rows(ahead: Camera) -> None:
+    population = placed(np.array([[1.0, 0.1, -5.0]]))
+    motor = population.motor
+    motor.last_shape_row[0], motor.last_part[0] = 3, 0.75
+    motor.shape_row[0], motor.part[0] = 0, 0.25
+    motor.warp_from[0], motor.warp_part[0], motor.warp_to[0] = 7, 0.5, 2
+    population.fish.species[0] = 1
+    culling = Culling(np.zeros(2), AFTER)
+    for alpha, rows in ((0.0, (3, 4, 0.75)), (0.5, (4, 0, 0.5)), (1.0, (0, 1, 0.25))):
+        culling(population, view_of(ahead, 720, 1.5, 30.0), alpha, 3.0)
+        record = culling.records(0)[0]
+        assert record[8:11] == pytest.approx(rows)
+        assert record[12:15] == pytest.approx([7.0, 2.0, 1.5])
+    motor.warp_part[0] = np.nextafter(1.0, 0.0)
+    culling(population, view_of(ahead, 720, 1.5, 30.0), 1.0, 3.0)
+    assert int(culling.records(0)[0][14]) == 1
+
+
 def test_quaternions_turn_as_the_rotations_do(ahead: Camera) -> None:
     rng = np.random.default_rng(5)
     population = placed(np.tile([1.0, 0.0, -5.0], (40, 1)))
