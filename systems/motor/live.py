@@ -40,6 +40,7 @@ from systems.motor.live_step import (
     Scratch,
     Slots,
     scratch,
+    scratch_of,
     slots,
     step,
 )
@@ -48,6 +49,9 @@ from systems.motor.track import Track
 
 CHOOSE_TICKS: Final = 6
 """[ticks] between two looks at who is nearest."""
+
+PIECES: Final = 16
+"""Into which the slots are dealt for the threads."""
 
 LOYALTY: Final = 0.64
 """By which the squared distance of a live fish is made less: a rival must be a fifth nearer."""
@@ -100,16 +104,29 @@ def play(
         fall_back(s, i, first, slots, motor, track)
 
 
+@row
+def play_piece(
+    piece: int, rows: Int64s, first: int, slots: Slots, fish: Bodies, motor: Motors, track: Track,
+    strokes: Strokes, terrain: Terrain, hull: Hull, work: Scratch, shape: Float32s,
+) -> None:  # fmt: skip
+    """Advance every slot of a piece of the work; `rows` are all slots' fishes', (C,)."""
+    own = scratch_of(work, piece)
+    for s in range(piece, len(rows), PIECES):
+        if slots.stage[s] != FREE:
+            play(s, rows[s], first, slots, fish, motor, track, strokes, terrain, hull, own, shape)
+            publish(s, first, slots, track, shape)
+
+
 @loop
 def play_all(
     rows: Int64s, first: int, slots: Slots, fish: Bodies, motor: Motors, track: Track,
     strokes: Strokes, terrain: Terrain, hull: Hull, work: Scratch, shape: Float32s,
 ) -> None:  # fmt: skip
     """Advance every slot; `rows` are their fishes', (C,). Threads share no fish."""
-    for s in numba.prange(len(rows)):
-        if slots.stage[s] != FREE:
-            play(s, rows[s], first, slots, fish, motor, track, strokes, terrain, hull, work, shape)
-            publish(s, first, slots, track, shape)
+    for piece in numba.prange(PIECES):
+        play_piece(
+            piece, rows, first, slots, fish, motor, track, strokes, terrain, hull, work, shape
+        )
 
 
 @row
@@ -216,7 +233,7 @@ class Live:
         self.terrain = terrain
         self.clock = clock
         self.first = len(library.shape) - 2 * table.count
-        self._work = scratch(table.count)
+        self._work = scratch(PIECES)
         most = table.count // 2
         self._ranking = Ranking(np.full(most, NEVER, np.int64), np.full(most, np.inf))
 

@@ -63,20 +63,20 @@ class Slots(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """What each slot's physics needs and nobody remembers. C slots."""
+    """What a fish's physics needs and nobody remembers, once a piece of the work, P in all: it stays in the cache."""
 
     rest: Float64s
-    "(C, 91)"
+    "(P, 91)"
     axes: Float64s
-    "(C, 6, 3)"
+    "(P, 6, 3)"
     band: Float64s
-    "(C, BAND_SIZE)"
+    "(P, BAND_SIZE)"
     right: Float64s
-    "(C, 69)"
+    "(P, 69)"
     origin: Float64s
-    "(C, 2, 3)"
+    "(P, 2, 3)"
     rotation: Float64s
-    "(C, 3, 3)"
+    "(P, 3, 3)"
 
 
 class Hull(NamedTuple):
@@ -94,7 +94,7 @@ def slots(table: LiveTable) -> Slots:
 
 
 def scratch(count: int) -> Scratch:
-    """Return scratch for `count` slots."""
+    """Return scratch for `count` pieces."""
     return Scratch(
         np.zeros((count, SPRINGS)),
         np.zeros((count, SEGMENTS, 3)),
@@ -102,6 +102,19 @@ def scratch(count: int) -> Scratch:
         np.zeros((count, UNKNOWNS)),
         np.zeros((count, 2, 3)),
         np.zeros((count, 3, 3)),
+    )
+
+
+@row
+def scratch_of(work: Scratch, piece: int) -> Scratch:
+    """Return the scratch of one piece: the same arrays without their first axis."""
+    return Scratch(
+        work.rest[piece],
+        work.axes[piece],
+        work.band[piece],
+        work.right[piece],
+        work.origin[piece],
+        work.rotation[piece],
     )
 
 
@@ -156,7 +169,7 @@ def swim_on(
     place = SUBSTEPS * (slots.entry[s] - track.start[segment] + 1 + motor.part[i] - rate)
     model = model_of(strokes, fish.species[i], segment)
     stroke = stroke_of_row(strokes, segment)
-    space = Workspace(work.rest[s], work.axes[s], work.band[s], work.right[s])
+    space = Workspace(work.rest, work.axes, work.band, work.right)
     for spring in range(SPRINGS):
         space.rest[spring] = model.length[spring]
     if motor.held[i] == 0:
@@ -238,7 +251,7 @@ def hold_inside(s: int, i: int, slots: Slots, fish: Bodies, terrain: Terrain) ->
 def sound(s: int, slots: Slots, track: Track, part: float, farthest: float, work: Scratch) -> bool:
     """Write the nodes in body axes to the slot's other shape; return whether all are near those of replay, which stands
     `part` behind the slot's entry."""
-    r, nodes, entry = work.rotation[s], slots.nodes[s], slots.entry[s]
+    r, nodes, entry = work.rotation, slots.nodes[s], slots.entry[s]
     shape, after = track.shape[entry], track.shape[track.after[entry]]
     out = slots.shape[s, 1 - slots.side[s]]
     for n in range(NODES):
@@ -263,7 +276,7 @@ def step(
     Return False, the fish where replay put it, if a node is farther than `farthest` [BL] from replay's or nowhere.
     """
     swim_on(s, i, slots, fish, motor, track, strokes, work)
-    nodes, o, r = slots.nodes[s], work.origin[s, 0], work.rotation[s]
+    nodes, o, r = slots.nodes[s], work.origin[0], work.rotation
     body_frame(nodes, o, r)
     for n in range(NODES):
         for k in range(3):
@@ -271,7 +284,7 @@ def step(
     turn = motor.steer[i]
     turn_all(nodes, turn[0], turn[1], turn[2])
     turn_all(slots.velocity[s], turn[0], turn[1], turn[2])
-    body_frame(nodes, work.origin[s, 1], r)
+    body_frame(nodes, work.origin[1], r)
     if not sound(s, slots, track, motor.part[i], farthest, work):
         return False
     slots.side[s] = 1 - slots.side[s]
