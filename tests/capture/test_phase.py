@@ -85,7 +85,10 @@ def test_physics_told_of_a_fast_start_makes_the_captured_one(
         swim_at=int(note["fast_start_left_swim_at"]),
     )
     captured = shipped.segments[5].shape
-    run = record(body_model(body, swim, "firm"), stroke, len(captured))
+    model = body_model(body, swim, "firm")
+    state = at_rest(model)
+    record(model, controllers.glide(), 1, state)
+    run = record(model, stroke, len(captured), state)
     again = np.array([body_shape(run, frame) for frame in range(len(captured))])
     assert np.abs(again - captured).max() < 1e-5
 

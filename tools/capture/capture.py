@@ -37,16 +37,17 @@ from systems.motor.contract import TWO_PI, Stroke
 from systems.motor.muscle_model import BodyModel, body_model
 from tools.capture.cut import beat_start, cut
 from tools.capture.escape import fast_start
+from tools.capture.faults import check, suspect
 from tools.capture.measure import measure_swim
 from tools.capture.phase import Gear, begun, phase_notes
-from tools.capture.record import Recording, record
+from tools.capture.record import BlewUpError, Recording, record
 from tools.capture.turns import Found, gradual_turn, sharp_turn
 
 Progress = Callable[[float, str], None]
 """Told how far the work is, 0 to 1, and what is being done."""
 
 GEARS: Final[dict[Pattern, Gear]] = {
-    Pattern.SWIM_SLOW: (0.65, 0.65),
+    Pattern.SWIM_SLOW: (0.75, 0.6),
     Pattern.SWIM_MEDIUM: (1.0, 1.0),
     Pattern.SWIM_FAST: (1.0, 1.6),
 }
@@ -55,7 +56,7 @@ GEARS: Final[dict[Pattern, Gear]] = {
 SETTLE_FRAMES: Final = 16 * TICKS_PER_SECOND
 """How long a beat runs before it is cut."""
 
-_PHASE_RUNS: Final = 4
+_PHASE_RUNS: Final = 3
 _SOURCES: Final = (
     components.trigonometry,
     systems.motor.biomechanics,
@@ -75,11 +76,19 @@ _SOURCES: Final = (
 
 
 def capture(body: Body, swim: Swim, progress: Progress | None = None) -> Repertoire:
-    """Return the repertoire of a species. Raise ValueError where the body does not swim at all.
+    """Return the repertoire of a species. Raise ValueError, one line, where the body does not swim at all.
 
     The provenance holds the fingerprint, each segment's figures and muscle phase (tools/capture/phase.py), and under
     "warnings" what is unlike a living fish.
     """
+    check(body, swim)
+    try:
+        return _repertoire(body, swim, progress)
+    except BlewUpError as error:
+        raise ValueError(f"{error}: {suspect(body, swim, error.frame + 1)}") from None
+
+
+def _repertoire(body: Body, swim: Swim, progress: Progress | None) -> Repertoire:
     segments: list[Segment] = []
     notes: dict[str, str] = {}
     warnings: list[str] = []

@@ -195,5 +195,5 @@ def _turn(body: Body, tried: Candidate) -> float:
     """Return the angle [rad] of a gradual turn soon after the start. Raise ValueError where it fails."""
     model = body_model(replace(body, stiffness=tried.stiffness), tried.swim)
     stroke = controllers.swim(tried.swim)
-    segment, _, _ = gradual_turn(model, stroke, round(_RUN_SECONDS * TICKS_PER_SECOND / 2))
+    segment = gradual_turn(model, stroke, round(_RUN_SECONDS * TICKS_PER_SECOND / 2)).segment
     return heading_change(segment)
