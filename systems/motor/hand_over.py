@@ -15,7 +15,7 @@ from components.body import NODES
 from components.clock import TICKS_PER_SECOND
 from components.kernels import row
 from components.live import ENTERING, FREE, LEAVING, LIVE
-from components.motor import RATES
+from components.motor import PACES, RATES
 from components.rotation import turned
 from systems.motor.biomechanics import SUBSTEPS
 from systems.motor.columns import Bodies, Motors
@@ -27,7 +27,7 @@ from systems.motor.warp import SMOOTHSTEP_SLOPE
 LEAVING_STEP: Final = 0.012
 """[BL] that the fading offset may move a node in a tick after a hand-back."""
 
-LEAVING_MISS: Final = 0.014
+LEAVING_MISS: Final = 0.009
 """[BL] by which a node may move otherwise than replay would move it, in the tick after a hand-back: its drift in the
 tick before, and SWING of its distance."""
 
@@ -171,9 +171,10 @@ def show(s: int, i: int, first: int, slots: Slots, motor: Motors) -> None:
 
 @row
 def may_leave(s: int, i: int, slots: Slots, motor: Motors, track: Track) -> bool:
-    """Return whether the fish of row `i` swims plainly, and its nodes as fast as those that replay would show."""
+    """Return whether the fish of row `i` swims plainly at a steady pace, its nodes as fast as replay's."""
     segment, now = motor.segment[i], slots.side[s]
-    if track.loops[segment] == 0 or motor.warp_length[i] != 0:
+    wanted = max(PACES[0], min(PACES[1], motor.throttle[i]))
+    if track.loops[segment] == 0 or motor.warp_length[i] != 0 or motor.pace[i] != wanted:
         return False
     entry, part = slots.entry[s], motor.part[i]
     place = entry - track.start[segment] + part - rate_of(i, motor)
