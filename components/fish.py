@@ -94,6 +94,11 @@ class Population:
             raise KeyError(identity)
         return int(self._row_of[identity])
 
+    def rows(self, ids: Int64s) -> Int64s:
+        """Return the rows of the fishes `ids`, -1 for those that do not live and for ids below 0; (n,) each."""
+        known = (ids >= 0) & (ids < len(self._row_of))
+        return np.where(known, self._row_of[np.where(known, ids, 0)], -1)
+
     def __contains__(self, identity: int) -> bool:
         return 0 <= identity < len(self._row_of) and bool(self._row_of[identity] >= 0)
 

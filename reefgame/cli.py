@@ -25,6 +25,7 @@ _NEGATIVE = (
     "--ticks",
     "--size",
     "--checksum-every",
+    "--live",
     "--jobs",
 )
 
@@ -92,6 +93,7 @@ def _add_play(commands: "_Commands[argparse.ArgumentParser]") -> None:
     _world_options(play)
     play.add_argument("--record", type=Path, metavar="FILE", help="write the dive's replay here")
     play.add_argument("--size", type=_size, metavar="WxH", help="the window's size")
+    _live_option(play)
     play.add_argument("--headless", action="store_true", help="no window: a scripted pilot dives")
     play.set_defaults(run=_play)
 
@@ -125,6 +127,7 @@ def _add_shot(commands: "_Commands[argparse.ArgumentParser]") -> None:
     shot.add_argument("--from", dest="eye", type=_point, metavar="X,Y,Z", help="where from [m]")
     shot.add_argument("--at", type=_point, metavar="X,Y,Z", help="looking at [m]")
     shot.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
+    _live_option(shot)
     shot.add_argument("-o", "--output", type=Path, required=True, metavar="OUT.png")
     shot.set_defaults(run=_shot)
 
@@ -152,6 +155,7 @@ def _add_soak(commands: "_Commands[argparse.ArgumentParser]") -> None:
     soak.add_argument("level")
     _world_options(soak)
     soak.add_argument("--ticks", type=_count, required=True, metavar="N")
+    _live_option(soak)
     soak.add_argument("--trace", type=Path, metavar="OUT.npz", help="what every fish did")
     soak.set_defaults(run=_soak)
 
@@ -199,6 +203,12 @@ def _world_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _live_option(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--live", type=_fishes, metavar="N", help="simulate so many of the nearest fishes (0-50)"
+    )
+
+
 def _size(text: str) -> tuple[int, int]:
     match = re.fullmatch(r"([0-9]{1,5})x([0-9]{1,5})", text)
     if not match or not all(1 <= int(side) <= _LARGEST_SIDE for side in match.groups()):
@@ -220,6 +230,12 @@ def _count(text: str) -> int:
     return _whole(text, "number of ticks", 10**9)
 
 
+def _fishes(text: str) -> int:
+    from components.live import MOST_LIVE
+
+    return _whole(text, "number of fishes", MOST_LIVE)
+
+
 def _jobs(text: str) -> int:
     jobs = _whole(text, "number of jobs", _MOST_JOBS)
     if jobs == 0:
@@ -239,10 +255,13 @@ def _play(options: argparse.Namespace) -> int:
     if options.headless:
         from reefgame.headless import dive
 
-        return dive(options.level or "first_dive", options.mod, options.seed or 0, options.record)
+        level, seed = options.level or "first_dive", options.seed or 0
+        return dive(level, options.mod, seed, options.record, options.live or 0)
     from reefgame.window import play
 
-    return play(options.level, options.mod, options.seed, options.record, options.size)
+    return play(
+        options.level, options.mod, options.seed, options.record, options.size, options.live
+    )
 
 
 def _replay(options: argparse.Namespace) -> int:
@@ -312,7 +331,9 @@ def _soak(options: argparse.Namespace) -> int:
     from reefgame.world import World
 
     check_output(options.trace)
-    world = World.build(open_level(options.level, options.mod), options.seed or 0)
+    world = World.build(
+        open_level(options.level, options.mod), options.seed or 0, options.live or 0
+    )
     trace = Trace() if options.trace else None
     doing = f"{options.ticks} ticks of {options.level}"
     with progress_bar(doing) as report:

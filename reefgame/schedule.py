@@ -5,7 +5,8 @@ think    a quarter of the fishes perceive, intend and behave             systems
 bound    ground, rocks, surface and rim turn fishes inward               systems/motor/bound.py
 control  the secondary controller chooses segments and steers
 systems/motor/control.py move     every fish plays its segment, warps and balances
-systems/motor/move.py spawn    the level's groups arrive and leave
+systems/motor/move.py live     the nearest few run the muscle model instead, where that is asked for
+systems/motor/live.py spawn    the level's groups arrive and leave
 systems/play/spawn.py judge    photographs and objectives
 systems/play/judge.py
 """
@@ -16,7 +17,10 @@ from components.senses import sense_table
 from systems.mind.think import Think
 from systems.motor.bound import Bound
 from systems.motor.control import Control
+from systems.motor.live import Live
 from systems.motor.move import Move
+from systems.motor.strokes import strokes
+from systems.motor.track import Track
 from systems.play.judge import Judge
 from systems.play.spawn import Spawn
 from systems.player.pilot import Pilot
@@ -46,16 +50,31 @@ def spawner(world: "World") -> Spawn:
     )
 
 
+def live(world: "World", track: Track) -> tuple[Live, ...]:
+    """Return the system of live physics on move's `track`, none where no fish may be live."""
+    if not world.live.count:
+        return ()
+    known = strokes(world.species, world.library)
+    return (
+        Live(
+            *(world.live, world.population, world.library, track, known),
+            *(world.submarine, world.terrain, world.clock),
+        ),
+    )
+
+
 def schedule(world: "World") -> tuple[System, ...]:
     """Return the systems of a tick in their order."""
     fishes, terrain, clock = world.population, world.terrain, world.clock
     senses = sense_table(world.species, world.library)
+    move = Move(fishes, world.library, terrain, clock)
     return (
         Pilot(world.submarine, world.commands, terrain),
         Think(fishes, senses, terrain, world.submarine, clock),
         Bound(fishes, senses, terrain),
         Control(fishes, world.library, clock),
-        Move(fishes, world.library, terrain, clock),
+        move,
+        *live(world, move.track),
         world.spawn,
         Judge(
             world.objective,

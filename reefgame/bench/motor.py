@@ -6,19 +6,25 @@ the paper's way.
 """
 
 from collections.abc import Callable, Iterator
+from statistics import median
+from time import perf_counter
 from typing import Final
 
+import numba
 import numpy as np
 
 from components.fish import Population
+from components.live import MOST_LIVE
 from components.repertoire import Pattern, pack
 from reefgame.bench.case import Case, in_turn
 from reefgame.bench.step import crowded
-from reefgame.content import load_species, read_species
+from reefgame.content import load, load_species, read_species
 from reefgame.content.anatomy import body_of, swim_of
+from reefgame.world import World
 from systems.motor.biomechanics import advance, workspace
 from systems.motor.columns import Bodies, Motors, bodies, motors
 from systems.motor.contract import Stroke
+from systems.motor.live import Live
 from systems.motor.move import advance as play
 from systems.motor.muscle_model import body_model
 from systems.motor.pose import reconstruct, replay
@@ -29,6 +35,7 @@ _FISHES: Final = 1000
 _CALLS: Final = 50
 _FRAMES: Final = 60
 _DENSE_FRAMES: Final = 10
+_LIVE_TICKS: Final = 480
 _ROUNDS: Final = 25
 _WARPING: Final = 1 / 6
 _CROWD: Final = 100_000
@@ -54,7 +61,33 @@ def measure() -> Iterator[Case]:
     yield Case("part=dynamics", banded, "us a frame", bound="<= 45")
     yield Case(f"{fishes} part=replay against=dense", bare, us, dense, dense / bare, ">= 3500")
     yield Case(f"{fishes} part=replay against=banded", bare, us, banded, banded / bare)
+    few = f"part=live fishes={MOST_LIVE}"
+    frames = 1e-3 * MOST_LIVE * banded
+    live = 1e3 * _live()
+    yield Case(few, live, "ms a tick", frames, frames / live, "<= 3")
     yield from _crowd()
+
+
+def _live() -> float:
+    """Return the seconds that live physics takes of a tick, the median of some seconds of `first_dive`, one thread."""
+    threads = numba.get_num_threads()
+    numba.set_num_threads(1)
+    world = World.build(load("first_dive"), 1, MOST_LIVE)
+    times = [_seconds_live(world) for _ in range(_LIVE_TICKS)]
+    numba.set_num_threads(threads)
+    return median(times[_LIVE_TICKS // 4 :])
+
+
+def _seconds_live(world: World) -> float:
+    """Take a tick; return the seconds that live physics took."""
+    spent = 0.0
+    for system in world.systems:
+        start = perf_counter()
+        system()
+        if isinstance(system, Live):
+            spent = perf_counter() - start
+    world.clock.tick[0] += 1
+    return spent
 
 
 def _crowd() -> Iterator[Case]:
