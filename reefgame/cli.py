@@ -332,7 +332,9 @@ def _soak(options: argparse.Namespace) -> int:
 
     check_output(options.trace)
     world = World.build(
-        open_level(options.level, options.mod), options.seed or 0, options.live or 0
+        open_level(options.level, options.mod, live=bool(options.live)),
+        options.seed or 0,
+        options.live or 0,
     )
     trace = Trace() if options.trace else None
     doing = f"{options.ticks} ticks of {options.level}"

@@ -1,14 +1,13 @@
 """The schedule: everything that happens in a tick of 1/60 s, in order, once (DESIGN 3).
 
-pilot    the submarine obeys the player                                  systems/player/pilot.py
-think    a quarter of the fishes perceive, intend and behave             systems/mind/think.py
-bound    ground, rocks, surface and rim turn fishes inward               systems/motor/bound.py
-control  the secondary controller chooses segments and steers
-systems/motor/control.py move     every fish plays its segment, warps and balances
-systems/motor/move.py live     the nearest few run the muscle model instead, where that is asked for
-systems/motor/live.py spawn    the level's groups arrive and leave
-systems/play/spawn.py judge    photographs and objectives
-systems/play/judge.py
+pilot    the submarine obeys the player                                systems/player/pilot.py
+think    a quarter of the fishes perceive, intend and behave           systems/mind/think.py
+bound    ground, rocks, surface and rim turn fishes inward             systems/motor/bound.py
+control  the secondary controller chooses segments and steers          systems/motor/control.py
+move     every fish plays its segment, warps and balances              systems/motor/move.py
+live     the nearest few run the muscle model, where that is asked for systems/motor/live.py
+spawn    the level's groups arrive and leave                           systems/play/spawn.py
+judge    photographs and objectives                                    systems/play/judge.py
 """
 
 from typing import TYPE_CHECKING, Protocol

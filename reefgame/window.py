@@ -47,15 +47,15 @@ def play(
     window = open_window(size or SIZE)
     game = new_game(shelf, secrets.randbelow(_SEEDS) if seed is None else seed, record, live)
     view = GameWindow(window, game)
-    _fill(view)
+    _fill(view, game.live > 0)
     game.to_title()
     view.run()
     return 0
 
 
-def _fill(view: GameWindow) -> None:
+def _fill(view: GameWindow, live: bool) -> None:
     """Say what is going on before the first picture: at the first launch kernels compile."""
-    warm_up(lambda done, what: view.announce(f"{what} {done:.0%}"))
+    warm_up(lambda done, what: view.announce(f"{what} {done:.0%}"), live)
     view.announce("filling the sea ...")
 
 
@@ -95,7 +95,7 @@ def watch(replay: "Replay", content: Content) -> int:
     card = LevelCard(level.name, level.title, level.brief)
     game = Game([card], lambda _: content, level.name, replay.seed, live=replay.live)
     view = GameWindow(window, game)
-    _fill(view)
+    _fill(view, game.live > 0)
     game.stack.replace(lambda: WatchScreen(game, replay))
     view.run()
     return 0
