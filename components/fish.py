@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from components.arrays import Float64s, Int32s, Int64s
-from components.index import RowIndex
+from components.index import RowIndex, rows_of
 from components.mind import MindTable
 from components.motor import MotorTable
 from components.table import Table, column
@@ -95,6 +95,10 @@ class Population:
         if row < 0:
             raise KeyError(identity)
         return row
+
+    def rows(self, ids: Int64s) -> Int64s:
+        """Return the rows of the fishes `ids`, -1 for those that do not live and for ids below 0; (n,) each."""
+        return rows_of(self.index.places, ids)
 
     def __contains__(self, identity: int) -> bool:
         return self.index.row(identity) >= 0

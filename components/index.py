@@ -9,7 +9,7 @@ import numpy as np
 
 from components.arrays import Int64s
 from components.chance import mix
-from components.kernels import row
+from components.kernels import row, serial
 
 _FREE: Final = -1
 _SMALLEST: Final = 32
@@ -42,6 +42,15 @@ def row_of(places: Places, identity: int) -> int:
     place = _place_of(places, identity)
     row: int = places.row[place] if places.id[place] == identity else -1
     return row
+
+
+@serial
+def rows_of(places: Places, ids: Int64s) -> Int64s:
+    """Return the rows of the ids, -1 where there is none; (n,) each."""
+    rows = np.empty(len(ids), np.int64)
+    for at in range(len(ids)):
+        rows[at] = row_of(places, ids[at])
+    return rows
 
 
 @row

@@ -1,15 +1,78 @@
 """What each fish's motor system plays and is asked to play (papers/000 sections 5 and 6.1).
 
 The rows stand in step with `FishTable`'s (components/fish.py). Shape rows index
-`RepertoireLibrary.shape`. The shape shown at the end of a tick is shape[shape_row] + warp_weight *
-(shape[warp_from] - shape[warp_to]), in body lengths; the view blends it with the one of the tick
-before, whose row and weight stand beside.
+`RepertoireLibrary.shape`; d(row, part) lies the share `part` of the way from the shape of `row` to the
+one that follows it. The shape shown at the end of a tick is d(shape_row, part) + warp_weight *
+(d(warp_from, warp_part) - d(warp_to, 0)), in body lengths; the view blends it with the one of the tick
+before, whose row, part and weight stand beside. Parts are 0 in fishes at pace 1.
 """
+
+from typing import Final
 
 import numpy as np
 
 from components.arrays import Float64s, Int8s, Int32s
+from components.kernels import inlined
 from components.table import Table, column
+
+RATES: Final = (0.7, 1.5)
+"""Slowest and fastest that a swim is played, entries a tick. The beat's frequency and the speed change alike, so stride
+and Strouhal number stay as captured. In our nine species frequencies of neighbouring gears differ by 1.52 to 1.67: a
+rate between .7 and 1.5 never beats a gear more slowly than the one below was captured, or faster than the one above.
+Speeds differ by 1.44 to 2.08, and 1.5 / .7 is 2.14: from .7 of the slow swim to 1.5 of the fast no speed is left out.
+At the top a sardine beats 10 times a second, which muscle of its size can (Wardle 1975), at less than Bainbridge's
+V = L (3f - 4) / 4."""
+
+PACES: Final = (-0.2, RATES[1])
+"""Slowest and fastest that a swim is played over its own speed. Below the lowest rate strides shrink; backwards a fish
+goes no faster than fins row."""
+
+KEPT: Final = (0.75, 1.4)
+"""Throttles between which a fish keeps its gear, so that a demand that wavers changes none."""
+
+
+@inlined
+def gear_for_speed(
+    wanted: float, gear: int, slow: float, medium: float, fast: float
+) -> tuple[int, float]:
+    """Return the gear and the throttle that swim at `wanted` [BL/s], from 0 up, for the speeds of three gears [BL/s].
+
+    The present gear is kept while its throttle would lie in `KEPT`; else the gear whose own speed is nearest in
+    proportion is taken, or the one below where that would have to play more slowly than `RATES` allow.
+    """
+    own = slow if gear == 0 else (medium if gear == 1 else fast)
+    if wanted < KEPT[0] * own or wanted > KEPT[1] * own:
+        square = wanted * wanted
+        low, high = RATES[0] * medium, RATES[0] * fast
+        gear = 1 if square < medium * fast or wanted < high else 2
+        gear = 0 if square < slow * medium or wanted < low else gear
+        own = slow if gear == 0 else (medium if gear == 1 else fast)
+    return gear, wanted / own
+
+
+@inlined
+def shown_between(
+    last: int, last_part: float, now: int, part: float, alpha: float, after: Int32s
+) -> tuple[int, int, float]:
+    """Return the two shape rows, and the share of the second, shown the fraction `alpha` of a tick after its start.
+
+    The tick led from `last_part` behind the row `last` to `part` behind `now`. `after` (E,) holds the row that follows
+    each (`RepertoireLibrary.after`). At rate 1 these are the rows themselves; else neighbours that `alpha` chooses.
+    """
+    if last_part == 0.0 and part == 0.0:
+        return last, now, alpha
+    steps, row = 0, last
+    while row != now and steps < 3:
+        row = after[row]
+        steps += 1
+    if row != now:
+        return last, now, alpha
+    share = last_part + alpha * (steps + part - last_part)
+    row = last
+    while share >= 1.0:
+        row = after[row]
+        share -= 1.0
+    return row, after[row], share
 
 
 class MotorTable(Table):
@@ -22,7 +85,9 @@ class MotorTable(Table):
     urgency: Float64s = column(np.float64)
     "demand: 0 for leisure to 1 for danger; lets steering turn faster, (capacity,)"
     throttle: Float64s = column(np.float64, fill=1.0)
-    "demand: speed over the swim's own, 1 as captured, 0 to brake and stand, below 0 to back, (capacity,)"
+    """demand: speed over the gear's own, 1 as captured; from .7 to 1.5 the swim is played at that rate (`RATES`), below
+    with shrinking strides: 0 to brake and stand, down to -.2 to back. Other than 1, the gear is played that is asked
+    for, at leisure too; turns are played as captured. `gear_for_speed` finds both for a speed, (capacity,)"""
     pace: Float64s = column(np.float64, fill=1.0)
     "the speed over the segment's own that is played now, (capacity,)"
     steer: Float64s = column(np.float64, 3)
@@ -39,8 +104,14 @@ class MotorTable(Table):
     "the library's entry whose shape is shown now, (capacity,)"
     last_shape_row: Int32s = column(np.int32)
     "the entry shown a tick ago, (capacity,)"
+    part: Float64s = column(np.float64)
+    "how far towards the entry after `shape_row`, 0 to below 1, the shape shown is, (capacity,)"
+    last_part: Float64s = column(np.float64)
+    "how far it was after `last_shape_row` a tick ago, (capacity,)"
     warp_from: Int32s = column(np.int32)
     "the entry that the warp leaves, as shown when it began, (capacity,)"
+    warp_part: Float64s = column(np.float64)
+    "how far towards the entry after it, 0 to below 1, (capacity,)"
     warp_to: Int32s = column(np.int32)
     "the new segment's entry before the first one played, or a turn's first, (capacity,)"
     warp_length: Int32s = column(np.int32)

@@ -43,7 +43,10 @@ _Array = TypeVar("_Array", Float32s, Float64s)
 
 @dataclass(frozen=True)
 class RepertoireLibrary:
-    """All species' segments end to end, as kernels and the GPU read them. E entries, S segments."""
+    """All species' segments end to end, as kernels and the GPU read them. E entries, S segments.
+
+    The last `spare` entries belong to no segment: what fishes in live physics show, written as they move.
+    """
 
     rotation: Float64s
     "M, (E, 3, 3)"
@@ -65,10 +68,25 @@ class RepertoireLibrary:
     "mean speed of a segment [BL/s], (S,)"
     turn: Float64s
     "net change of heading of a segment [rad], positive to the left, (S,)"
+    spare: int = 0
+    "entries at the end that belong to no segment"
+
+    @property
+    def after(self) -> Int32s:
+        """The entry that follows each: in a cycle the first follows the last, a turn's last and spare ones themselves,
+        (E,)."""
+        follows = np.arange(1, len(self.shape) + 1, dtype=np.int32)
+        ends = self.start + self.length - 1
+        follows[ends] = np.where(self.loops == 1, self.start, ends)
+        follows[len(follows) - self.spare :] -= 1
+        return follows
 
 
-def pack(repertoires: Sequence[Repertoire]) -> RepertoireLibrary:
-    """Return all segments end to end, species by species in `Pattern`'s order, with right turns mirrored."""
+def pack(repertoires: Sequence[Repertoire], spare: int = 0) -> RepertoireLibrary:
+    """Return all segments end to end, species by species in `Pattern`'s order, with right turns mirrored.
+
+    After them come `spare` entries of noughts.
+    """
     table = np.full((len(repertoires), len(Pattern)), -1, np.int32)
     segments: list[Segment] = []
     for species, repertoire in enumerate(repertoires):
@@ -77,9 +95,9 @@ def pack(repertoires: Sequence[Repertoire]) -> RepertoireLibrary:
             segments.append(segment)
     lengths = np.array([len(s.translation) for s in segments], np.int32)
     return RepertoireLibrary(
-        rotation=_joined([s.rotation for s in segments], np.zeros((0, 3, 3))),
-        translation=_joined([s.translation for s in segments], np.zeros((0, 3))),
-        shape=_joined([s.shape for s in segments], np.zeros((0, NODES, 3), np.float32)),
+        rotation=_joined([s.rotation for s in segments], np.zeros((spare, 3, 3))),
+        translation=_joined([s.translation for s in segments], np.zeros((spare, 3))),
+        shape=_joined([s.shape for s in segments], np.zeros((spare, NODES, 3), np.float32)),
         start=(np.cumsum(lengths) - lengths).astype(np.int32),
         length=lengths,
         loops=np.array([s.loops for s in segments], np.int8),
@@ -87,6 +105,7 @@ def pack(repertoires: Sequence[Repertoire]) -> RepertoireLibrary:
         segment=table,
         speed=np.array([mean_speed(s) for s in segments], np.float64),
         turn=np.array([heading_change(s) for s in segments], np.float64),
+        spare=spare,
     )
 
 
@@ -99,6 +118,6 @@ def _with_mirrored(repertoire: Repertoire) -> dict[Pattern, Segment]:
     return held
 
 
-def _joined(parts: list[_Array], none: _Array) -> _Array:
-    """Return arrays end to end, C order; `none` where there is none."""
-    return np.ascontiguousarray(np.concatenate([none, *parts]))
+def _joined(parts: list[_Array], end: _Array) -> _Array:
+    """Return arrays end to end, C order, `end` after them."""
+    return np.ascontiguousarray(np.concatenate([*parts, end]))

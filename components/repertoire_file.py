@@ -11,6 +11,7 @@ segments of E entries in all:
     translation  float64 (E, 3)    t [BL]
     shape        float32 (E, 23, 3) d [BL]
     provenance   uint8 (B,)        JSON object of strings, UTF-8
+    control      float32 (E, 378, 3) s [BL], only where control points are recorded
 
 A reader trusts nothing: names, types, shapes, sizes and ranges are checked before an array is made.
 """
@@ -27,7 +28,7 @@ import numpy as np
 from components.arrays import AnyArray
 from components.body import NODES
 from components.fault import FaultError
-from components.segment import REQUIRED, Pattern, Repertoire, Segment
+from components.segment import CONTROL_POINTS, REQUIRED, Pattern, Repertoire, Segment
 from components.whole_file import write_whole
 
 VERSION: Final = 1
@@ -44,6 +45,11 @@ _ARRAYS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
     "shape": ("<f4", (-1, NODES, 3)),
     "provenance": ("|u1", (-1,)),
 }
+_OPTIONAL: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
+    "control": ("<f4", (-1, CONTROL_POINTS, 3)),
+}
+_ENTRIES: Final = ("rotation", "translation", "shape", "control")
+"""Arrays with a row for each entry."""
 _REACH: Final = 3.0
 """[BL] farther than any node of a body lies from its origin."""
 
@@ -53,7 +59,10 @@ class RepertoireError(FaultError):
 
 
 def save(path: Path, repertoire: Repertoire) -> None:
-    """Write `repertoire` to `path`, whole or not at all. Raise OSError where the folder cannot be written."""
+    """Write `repertoire` to `path`, whole or not at all.
+
+    Raise OSError where the folder cannot be written, ValueError where only some segments have control points.
+    """
     write_whole(path, _bytes(repertoire))
 
 
@@ -88,9 +97,15 @@ def _bytes(repertoire: Repertoire) -> bytes:
         "shape": np.concatenate([s.shape for s in segments]),
         "provenance": np.frombuffer(note, np.uint8),
     }
+    controls = [s.control for s in segments if s.control is not None]
+    if controls:
+        if len(controls) != len(segments):
+            raise ValueError("some segments have control points, some have none")
+        values["control"] = np.concatenate(controls)
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_STORED) as archive:
-        for name, (dtype, _) in _ARRAYS.items():
+        for name in values:
+            dtype, _ = (_ARRAYS | _OPTIONAL)[name]
             entry = zipfile.ZipInfo(f"{name}.npy")
             entry.create_system = 3  # "Unix" on every system
             entry.external_attr = 0o644 << 16
@@ -109,7 +124,7 @@ def _repertoire(content: bytes) -> Repertoire:
         raise _UnfitError(f"version {int(held['version'])}, this game reads {VERSION}")
     lengths = held["length"].tolist()
     _check_lengths(held, lengths)
-    for name in ("rotation", "translation", "shape"):
+    for name in (name for name in _ENTRIES if name in held):
         if not np.isfinite(held[name]).all():
             raise _UnfitError(f"{name} holds a number that is not finite")
         if not (np.abs(held[name]) <= _REACH).all():
@@ -124,6 +139,7 @@ def _repertoire(content: bytes) -> Repertoire:
             held["rotation"][span].astype(np.float64),
             held["translation"][span].astype(np.float64),
             held["shape"][span].astype(np.float32),
+            held["control"][span].astype(np.float32) if "control" in held else None,
         )
         for pattern, loops, span in zip(
             held["pattern"].tolist(), held["loops"].tolist(), rows, strict=True
@@ -137,7 +153,8 @@ def _members(content: bytes) -> dict[str, bytes]:
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             entries = {entry.filename.removesuffix(".npy"): entry for entry in archive.infolist()}
-            if sorted(entries) != sorted(_ARRAYS) or len(archive.infolist()) != len(_ARRAYS):
+            missing, odd = set(_ARRAYS) - set(entries), set(entries) - set(_ARRAYS | _OPTIONAL)
+            if missing or odd or len(archive.infolist()) != len(entries):
                 raise _UnfitError(f"holds {sorted(entries)[:12]}, not {sorted(_ARRAYS)}")
             for name, entry in entries.items():
                 if entry.compress_type != zipfile.ZIP_STORED or entry.file_size > len(content):
@@ -151,8 +168,8 @@ def _members(content: bytes) -> dict[str, bytes]:
 
 
 def _array(name: str, data: bytes) -> AnyArray:
-    """Return the array in an npy file's bytes, of the type and shape that `_ARRAYS` says."""
-    dtype, dims = _ARRAYS[name]
+    """Return the array in an npy file's bytes, of the type and shape that `_ARRAYS` or `_OPTIONAL` says."""
+    dtype, dims = (_ARRAYS | _OPTIONAL)[name]
     file = io.BytesIO(data)
     try:
         if np.lib.format.read_magic(file) != (1, 0):
@@ -185,7 +202,7 @@ def _check_lengths(held: dict[str, AnyArray], lengths: list[int]) -> None:
         raise _UnfitError(f"has no {', '.join(Pattern(p).name.lower() for p in missing)}")
     if not set(loops) <= {0, 1}:
         raise _UnfitError("loops holds a number that is neither 0 nor 1")
-    entries = {len(held[name]) for name in ("rotation", "translation", "shape")}
+    entries = {len(held[name]) for name in _ENTRIES if name in held}
     if min(lengths) < 1 or entries != {sum(lengths)}:
         raise _UnfitError("length does not add up to the entries")
 

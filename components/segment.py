@@ -3,6 +3,8 @@
 Entry k of a segment holds M_k = R_k^T R_{k+1} (body space: FINDINGS 1 corrects eq. 6), t_k = R_k^T
 (o_{k+1} - o_k) in BL (eq. 7) and d_k, the 23 nodes in body axes at frame k + 1 in BL (eq. 8).
 Playing entry k: R <- R M_k, o <- o + R_before (length t_k), nodes = o + R (length d_k).
+
+A species that is populous may hold its skin's control points too, s_k in body axes at frame k + 1 (eq. 9).
 """
 
 from dataclasses import dataclass
@@ -16,6 +18,9 @@ from components.arrays import Float32s, Float64s
 from components.clock import TICKS_PER_SECOND
 from components.kernels import row
 from components.trigonometry import arc
+
+CONTROL_POINTS: Final = 2 * 21 * 9
+"""Control points of a body's skin: right side, then left, each 21 rows from the nose back, 9 from back to belly."""
 
 
 class Pattern(IntEnum):
@@ -44,6 +49,8 @@ class Segment:
     "t [BL], (N, 3)"
     shape: Float32s
     "d [BL], (N, 23, 3)"
+    control: Float32s | None = None
+    "s [BL], (N, 378, 3), where control points are recorded"
 
 
 @dataclass(frozen=True)
@@ -79,7 +86,15 @@ def mirrored(segment: Segment, pattern: Pattern) -> Segment:
         segment.rotation * _FLIP[:, None] * _FLIP[None, :],
         segment.translation * _FLIP,
         (segment.shape[:, _MIRRORED_NODE] * _FLIP).astype(np.float32),
+        None if segment.control is None else _mirrored_control(segment.control),
     )
+
+
+def _mirrored_control(control: Float32s) -> Float32s:
+    """Return control points with their sides exchanged."""
+    sides = control.reshape(len(control), 2, CONTROL_POINTS // 2, 3)[:, ::-1]
+    exchanged: Float32s = (sides * _FLIP).astype(np.float32).reshape(control.shape)
+    return exchanged
 
 
 @row

@@ -1,28 +1,57 @@
 """`reefgame capture`: runs the muscle model of each species given and writes its repertoire."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
-from components.body import Body, Swim
+from components.repertoire import Repertoire
 from components.repertoire_file import save
-from reefgame.console import InputError, complain, progress_bar, say
+from reefgame.console import InputError, Report, complain, progress_bar, say
 from reefgame.content import read_species
-from reefgame.content.anatomy import body_of, swim_of
+from reefgame.content.anatomy import UNTUNED, body_of, swim_of
+from reefgame.content.nodes import Mark
+from reefgame.content.schema.species import SpeciesFile
+from reefgame.content.yaml_marks import shown
+from reefgame.motion_report import PAGE, write_report
 from reefgame.output import check_output, replacing, unwritable
+from reefgame.tuning import Tuning, tuned
 
 
-def capture_files(paths: Sequence[Path], output: Path | None) -> int:
+def capture_files(
+    paths: Sequence[Path],
+    output: Path | None,
+    report: Path | None = None,
+    tuning: Tuning | None = None,
+    control_points: bool = False,
+) -> int:
     """Capture the species of each YAML file and write NAME.npz; return the exit status.
 
-    Without `output` a file goes where its mod ships it: `repertoires/` beside the folder `species/`. All files are
-    checked before the first capture begins. Raise ContentError or InputError.
+    Without `output` a file goes where its mod ships it: `repertoires/` beside the folder `species/`. With `report` a
+    page about all of them is written there. With `tuning` their swims are found first and written into the YAML files;
+    with `control_points` the files hold those of the skin too (tools/capture/control_points.py).
+    All files are checked before the first capture begins. Raise ContentError or FaultError.
     """
-    named = [read_species(path) for path in paths]
+    files = {path: read_species(path)[1] for path in paths}
+    if tuning is None:
+        _check_tuned(files)
     for path in paths:
         _prepare(_target(path, output))
-    for path, (_, file) in zip(paths, named, strict=True):
-        _capture(path, body_of(file), swim_of(file), file.title, output)
-    return 0
+    if report is not None:
+        _prepare(report / PAGE)
+    captured = _captured(files) if tuning is None else tuned(list(files.items()), tuning)
+    if control_points:
+        captured = ((path, _with_skin(files[path], made)) for path, made in captured)
+    done = {path: _keep(path, repertoire, output) for path, repertoire in captured}
+    if report is not None and done:
+        written = [(done[path], file) for path, file in files.items() if path in done]
+        say(f"{write_report(report, written)}")
+    return 0 if len(done) == len(files) else 1
+
+
+def _check_tuned(files: Mapping[Path, SpeciesFile]) -> None:
+    for path, file in files.items():
+        if file.swim is None:
+            raise Mark(shown(path)).error(f"this species {UNTUNED} {shown(path)}")
 
 
 def _target(path: Path, output: Path | None) -> Path:
@@ -39,17 +68,40 @@ def _prepare(target: Path) -> None:
     check_output(target)
 
 
-def _capture(path: Path, body: Body, swim: Swim, title: str, output: Path | None) -> None:
+def _captured(files: Mapping[Path, SpeciesFile]) -> Iterator[tuple[Path, Repertoire]]:
     from tools.capture.capture import capture
 
+    for path, file in files.items():
+        title = file.title
+        try:
+            with progress_bar(title) as report:
+                told = partial(_tell, report, title)
+                repertoire = capture(body_of(file), swim_of(file), told)
+        except (ValueError, ArithmeticError) as error:
+            raise InputError(f"{path}: this body does not swim: {error}") from None
+        yield path, repertoire
+
+
+def _with_skin(file: SpeciesFile, repertoire: Repertoire) -> Repertoire:
+    """Return the repertoire with control points, having said what they cost."""
+    from tools.capture.control_points import memory, with_control_points
+
+    recorded = with_control_points(repertoire, body_of(file))
+    plain, more = memory(recorded)
+    say(f"{file.title}: {plain + more:,} bytes with control points, {plain:,} without")
+    return recorded
+
+
+def _tell(report: Report, title: str, done: float, what: str) -> None:
+    report(done, f"{title}: {what}")
+
+
+def _keep(path: Path, repertoire: Repertoire, output: Path | None) -> Path:
+    """Write the repertoire of the species in `path`, say so and what is wrong with it; return its file."""
     target = _target(path, output)
-    try:
-        with progress_bar(title) as report:
-            repertoire = capture(body, swim, lambda done, what: report(done, f"{title}: {what}"))
-    except ValueError as error:
-        raise InputError(f"{path}: this body does not swim: {error}") from None
     with replacing(target) as fresh:
         save(fresh, repertoire)
     for warning in filter(None, repertoire.provenance["warnings"].split("; ")):
         complain(f"{path}: warning: {warning}")
     say(f"{target}")
+    return target

@@ -17,7 +17,18 @@ from reefgame.console import InputError, complain, open_streams, progress_bar, s
 
 _LARGEST_SIDE = 16_384
 _LARGEST_SEED = 2**62
-_NEGATIVE = ("--from", "--at", "--seed", "--tick", "--ticks", "--size", "--checksum-every")
+_MOST_JOBS = 1000
+_NEGATIVE = (
+    "--from",
+    "--at",
+    "--seed",
+    "--tick",
+    "--ticks",
+    "--size",
+    "--checksum-every",
+    "--live",
+    "--jobs",
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -83,6 +94,7 @@ def _add_play(commands: "_Commands[argparse.ArgumentParser]") -> None:
     _world_options(play)
     play.add_argument("--record", type=Path, metavar="FILE", help="write the dive's replay here")
     play.add_argument("--size", type=_size, metavar="WxH", help="the window's size")
+    _live_option(play)
     play.add_argument("--headless", action="store_true", help="no window: a scripted pilot dives")
     play.set_defaults(run=_play)
 
@@ -116,6 +128,7 @@ def _add_shot(commands: "_Commands[argparse.ArgumentParser]") -> None:
     shot.add_argument("--from", dest="eye", type=_point, metavar="X,Y,Z", help="where from [m]")
     shot.add_argument("--at", type=_point, metavar="X,Y,Z", help="looking at [m]")
     shot.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
+    _live_option(shot)
     shot.add_argument("-o", "--output", type=Path, required=True, metavar="OUT.png")
     shot.set_defaults(run=_shot)
 
@@ -143,6 +156,7 @@ def _add_soak(commands: "_Commands[argparse.ArgumentParser]") -> None:
     soak.add_argument("level")
     _world_options(soak)
     soak.add_argument("--ticks", type=_count, required=True, metavar="N")
+    _live_option(soak)
     soak.add_argument("--trace", type=Path, metavar="OUT.npz", help="what every fish did")
     soak.set_defaults(run=_soak)
 
@@ -151,6 +165,24 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
     capture = commands.add_parser("capture", help="capture repertoires from muscle physics")
     capture.add_argument("species", type=Path, nargs="+", metavar="SPECIES.yaml")
     capture.add_argument("-o", "--output", type=Path, metavar="DIR", help="where the .npz go")
+    capture.add_argument(
+        "--report", type=Path, metavar="DIR", help="a page of figures and tables, index.html"
+    )
+    capture.add_argument(
+        "--control-points", action="store_true", help="for populous species: record the skin too"
+    )
+    capture.add_argument(
+        "--tune", action="store_true", help="find each swim from the body, write it into the file"
+    )
+    capture.add_argument(
+        "--seed", type=_seed, default=0, metavar="N", help="with --tune: what chance starts from"
+    )
+    capture.add_argument(
+        "--jobs", type=_jobs, metavar="N", help="with --tune: processes, else one a processor"
+    )
+    capture.add_argument(
+        "--scheduler", metavar="ADDRESS", help="with --tune: the Dask scheduler whose workers do it"
+    )
     capture.set_defaults(run=_capture)
 
 
@@ -169,6 +201,12 @@ def _world_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--seed", type=_seed, default=None, metavar="N", help="what chance starts from"
+    )
+
+
+def _live_option(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--live", type=_fishes, metavar="N", help="simulate so many of the nearest fishes (0-50)"
     )
 
 
@@ -193,6 +231,19 @@ def _count(text: str) -> int:
     return _whole(text, "number of ticks", 10**9)
 
 
+def _fishes(text: str) -> int:
+    from components.live import MOST_LIVE
+
+    return _whole(text, "number of fishes", MOST_LIVE)
+
+
+def _jobs(text: str) -> int:
+    jobs = _whole(text, "number of jobs", _MOST_JOBS)
+    if jobs == 0:
+        raise InputError(f"number of jobs '0': a whole number from 1 to {_MOST_JOBS} is expected")
+    return jobs
+
+
 def _point(text: str) -> tuple[float, float, float]:
     number = r"\s*(-?[0-9]+(?:\.[0-9]+)?)\s*"
     match = re.fullmatch(f"{number},{number},{number}", text)
@@ -205,10 +256,13 @@ def _play(options: argparse.Namespace) -> int:
     if options.headless:
         from reefgame.headless import dive
 
-        return dive(options.level or "first_dive", options.mod, options.seed or 0, options.record)
+        level, seed = options.level or "first_dive", options.seed or 0
+        return dive(level, options.mod, seed, options.record, options.live or 0)
     from reefgame.window import play
 
-    return play(options.level, options.mod, options.seed, options.record, options.size)
+    return play(
+        options.level, options.mod, options.seed, options.record, options.size, options.live
+    )
 
 
 def _replay(options: argparse.Namespace) -> int:
@@ -278,7 +332,11 @@ def _soak(options: argparse.Namespace) -> int:
     from reefgame.world import World
 
     check_output(options.trace)
-    world = World.build(open_level(options.level, options.mod), options.seed or 0)
+    world = World.build(
+        open_level(options.level, options.mod, live=bool(options.live)),
+        options.seed or 0,
+        options.live or 0,
+    )
     doing = f"{options.ticks} ticks of {options.level}"
     with ExitStack() as kept:
         trace = kept.enter_context(Trace(options.trace)) if options.trace else None
@@ -293,8 +351,15 @@ def _soak(options: argparse.Namespace) -> int:
 
 def _capture(options: argparse.Namespace) -> int:
     from reefgame.captures import capture_files
+    from reefgame.tuning import Tuning
 
-    return capture_files(options.species, options.output)
+    tuning = Tuning(options.seed, options.jobs, options.scheduler) if options.tune else None
+    if tuning is None and (options.jobs or options.scheduler):
+        raise InputError("--jobs and --scheduler need --tune")
+
+    return capture_files(
+        options.species, options.output, options.report, tuning, options.control_points
+    )
 
 
 def _bench(options: argparse.Namespace) -> int:

@@ -18,9 +18,9 @@ from reefgame.world import World
 LONGEST_DIVE_SECONDS = 180
 
 
-def dive(level: str, mods: Sequence[Path], seed: int, record: Path | None) -> int:
+def dive(level: str, mods: Sequence[Path], seed: int, record: Path | None, live: int = 0) -> int:
     """Let a scripted pilot play the level, record it and say what came of it; return the exit status."""
-    world = World.build(open_level(level, mods), seed)
+    world = World.build(open_level(level, mods, live=live > 0), seed, live)
     pilot = Photographer()
     ticks = LONGEST_DIVE_SECONDS * TICKS_PER_SECOND
     recording = Recording(world, record)
@@ -52,13 +52,13 @@ def replay(options: argparse.Namespace) -> int:
     for path in outputs:
         check_output(path)
     watched = not (options.headless or options.verify or any(outputs))
-    content = open_level(record.level, options.mod, compiled=not watched)
+    content = open_level(record.level, options.mod, not watched, record.live > 0)
     _same_content(options.file, record, content)
     if watched:
         from reefgame.window import watch
 
         return watch(record, content)
-    world = World.build(content, record.seed)
+    world = World.build(content, record.seed, record.live)
     if options.output:
         return _record_again(record, world, options.output, options.checksum_every or record.every)
     if options.video or options.picture:

@@ -7,13 +7,15 @@
     content 5f0c...
     seed 7
     checksum-every 60
+    live 10
     0 throttle=100
     59 # fish=0123456789abcdef motor=...
     120 throttle=0 turn=-40
     479 end
 
-A command line holds the tick and what changed; a checksum line the tables after that tick. A dive
-cut short by a crash has no end line and plays to its last whole line.
+A command line holds the tick and what changed; a checksum line the tables after that tick. After the
+header `live 10` may tell how many fishes are in live physics at most; without it none are. A dive cut
+short by a crash has no end line and plays to its last whole line.
 """
 
 import re
@@ -24,6 +26,7 @@ from typing import Final, TextIO
 
 from components.clock import TICKS_PER_SECOND
 from components.command import BUTTONS, FULL, Command
+from components.live import MOST_LIVE
 from reefgame import VERSION
 from reefgame.content.errors import ContentError, Problem
 from reefgame.world import World
@@ -33,6 +36,7 @@ MOST_TICKS: Final = 24 * 3600 * TICKS_PER_SECOND
 LARGEST: Final = 64 << 20
 "[bytes] beyond which no file is read: an hour with a checksum line every tick"
 _HEADER = ("game", "level", "content", "seed", "checksum-every")
+_LIVE = "live"
 _PAIR = re.compile(r"([a-z]+)=(-?[0-9]{1,3})$")
 _SUM = re.compile(r"([a-z]+)=([0-9a-f]{16})$")
 
@@ -46,6 +50,8 @@ class Replay:
     seed: int
     every: int
     "[ticks] between checksums"
+    live: int = 0
+    "fishes in live physics at most"
     game: str = VERSION
     commands: Mapping[int, Command] = field(default_factory=dict)
     "the command from that tick on"
@@ -94,6 +100,7 @@ class Recorder:
         self._next = world.clock.now
         header = (VERSION, level, world.content.hash, str(world.clock.seed[0]), str(every))
         lines = [f"{key} {value}" for key, value in zip(_HEADER, header, strict=True)]
+        lines += [f"{_LIVE} {world.live_fishes}"] if world.live_fishes else []
         self._write("\n".join([FORMAT, *lines]))
 
     def tick(self, command: Command) -> None:
@@ -177,8 +184,10 @@ class _Reader:
         if self.lines[0] != FORMAT:
             raise _error(self.path, 1, f"not a replay: the first line must be '{FORMAT}'")
         header = self._header()
+        live = self._live()
+        begun = len(_HEADER) + (1 if live is None else 2)
         ended = False
-        for number, line in enumerate(self.lines[len(_HEADER) + 1 :], start=len(_HEADER) + 2):
+        for number, line in enumerate(self.lines[begun:], start=begun + 1):
             if ended:
                 raise _error(self.path, number, "nothing may follow the end line")
             ended = self._line(number, line)
@@ -188,6 +197,7 @@ class _Reader:
             content=header["content"],
             seed=self._integer(5, header["seed"], 2**62),
             every=max(1, self._integer(6, header["checksum-every"], MOST_TICKS)),
+            live=live or 0,
             game=header["game"],
             commands=self.commands,
             checksums=self.checksums,
@@ -204,6 +214,12 @@ class _Reader:
                 raise _error(self.path, number, f"the header's line '{key} ...' is missing")
             header[key] = value
         return header
+
+    def _live(self) -> int | None:
+        """Return what the line after the header says of live physics, None where it says nothing of it."""
+        at = len(_HEADER) + 1
+        name, _, value = (self.lines[at] if at < len(self.lines) else "").partition(" ")
+        return self._integer(at + 1, value, MOST_LIVE) if name == _LIVE else None
 
     def _integer(self, number: int, text: str, most: int) -> int:
         if not re.fullmatch(r"[0-9]{1,19}", text) or int(text) > most:

@@ -1,15 +1,16 @@
 """The schedule: everything that happens in a tick of 1/60 s, in order, once (DESIGN 3).
 
-pilot    the submarine obeys the player                                  systems/player/pilot.py
-become   the player turns into a fish, and back                          systems/player/become.py
-obey     that fish does as the player orders                             systems/player/obey.py
-think    a quarter of the fishes perceive, intend and behave             systems/mind/think.py
-bound    ground, rocks, surface and rim turn fishes inward               systems/motor/bound.py
-control  the secondary controller chooses segments and steers            systems/motor/control.py
-move     every fish plays its segment, warps and balances                systems/motor/move.py
-feed     food drifts; open mouths suck in and swallow                    systems/play/feed.py
-spawn    the level's groups arrive and leave; the eaten are replaced     systems/play/spawn.py
-judge    photographs and objectives                                      systems/play/judge.py
+pilot    the submarine obeys the player                                systems/player/pilot.py
+become   the player turns into a fish, and back                        systems/player/become.py
+obey     that fish does as the player orders                           systems/player/obey.py
+think    a quarter of the fishes perceive, intend and behave           systems/mind/think.py
+bound    ground, rocks, surface and rim turn fishes inward             systems/motor/bound.py
+control  the secondary controller chooses segments and steers          systems/motor/control.py
+move     every fish plays its segment, warps and balances              systems/motor/move.py
+live     the nearest few run the muscle model, where that is asked for systems/motor/live.py
+feed     food drifts; open mouths suck in and swallow                  systems/play/feed.py
+spawn    the level's groups arrive and leave; the eaten are replaced   systems/play/spawn.py
+judge    photographs and objectives                                    systems/play/judge.py
 """
 
 from typing import TYPE_CHECKING, Protocol
@@ -17,7 +18,10 @@ from typing import TYPE_CHECKING, Protocol
 from systems.mind.think import Think
 from systems.motor.bound import Bound
 from systems.motor.control import Control
+from systems.motor.live import Live
 from systems.motor.move import Move
+from systems.motor.strokes import strokes
+from systems.motor.track import Track
 from systems.play.feed import Feed
 from systems.play.judge import Judge
 from systems.play.spawn import Spawn
@@ -53,10 +57,24 @@ def spawner(world: "World") -> Spawn:
     )
 
 
+def live(world: "World", track: Track) -> tuple[Live, ...]:
+    """Return the system of live physics on move's `track`, none where no fish may be live."""
+    if not world.live.count:
+        return ()
+    known = strokes(world.species, world.library)
+    return (
+        Live(
+            *(world.live, world.population, world.library, track, known),
+            *(world.submarine, world.terrain, world.clock),
+        ),
+    )
+
+
 def schedule(world: "World") -> tuple[System, ...]:
     """Return the systems of a tick in their order."""
     fishes, terrain, clock = world.population, world.terrain, world.clock
     senses, avatar, orders = world.senses, world.avatar, world.commands
+    move = Move(fishes, world.library, terrain, clock)
     return (
         Pilot(world.submarine, orders, terrain, avatar),
         Become(avatar, orders, fishes, world.submarine, terrain, clock),
@@ -64,7 +82,8 @@ def schedule(world: "World") -> tuple[System, ...]:
         Think(fishes, senses, terrain, world.submarine, clock, world.food, world.habitat),
         Bound(fishes, senses, terrain),
         Control(fishes, world.library, clock),
-        Move(fishes, world.library, terrain, clock),
+        move,
+        *live(world, move.track),
         Feed(fishes, world.food, world.patches, senses, terrain, world.spawn, clock),
         world.spawn,
         Judge(

@@ -16,6 +16,7 @@ from reefgame.durable import UnreadableError, exclusive, place, read_object, set
 
 QUALITIES: Final = ("auto", "low", "medium", "high")
 RENDER_SCALES: Final = (50, 75, 100)
+LIVE_FISHES: Final = (0, 10, 50)
 SENSITIVITY: Final = (0.2, 3.0)
 """Least and most of the mouse's sensitivity."""
 
@@ -33,6 +34,8 @@ class Settings:
     render_scale: int = 100
     "[%] of the resolution that the quality gives the sea, one of RENDER_SCALES"
     fullscreen: bool = False
+    live_physics: int = 0
+    "how many of the nearest fishes run the muscle model in the next dive, one of LIVE_FISHES"
 
 
 def settings_path() -> Path:
@@ -54,6 +57,10 @@ _ALLOWED: Final[dict[str, tuple[Callable[[object], bool], str]]] = {
         " or ".join(map(str, RENDER_SCALES)),
     ),
     "fullscreen": (lambda value: isinstance(value, bool), "true or false"),
+    "live_physics": (
+        lambda value: type(value) is int and value in LIVE_FISHES,
+        " or ".join(map(str, LIVE_FISHES)),
+    ),
 }
 
 

@@ -112,7 +112,9 @@ def _alone(species: Species, library: RepertoireLibrary, at: Float64s) -> Popula
 
 def _dived(options: argparse.Namespace) -> World:
     """Return the level's world after the ticks asked for."""
-    world = World.build(open_level(options.level, options.mod), options.seed or 0)
+    world = World.build(
+        open_level(options.level, options.mod), options.seed or 0, options.live or 0
+    )
     with progress_bar("diving") as report:
         for tick in range(options.tick):
             world.tick()

@@ -47,12 +47,14 @@ def play(
     mods: Sequence[Path] = (),
     checksum_every: int = TICKS_PER_SECOND,
     until_won: bool = True,
+    live: int = 0,
 ) -> Dive:
     """Play `level` with the scripted pilot for at most `seconds` of simulated time and record it.
 
+    The `live` fishes nearest the submarine run the muscle model.
     Raise ContentError where the level or a mod is at fault.
     """
-    world = World.build(load(level, mods=mods), seed)
+    world = World.build(load(level, mods=mods), seed, live)
     stream = io.StringIO()
     recorder = Recorder(world, stream, world.level.name, checksum_every)
     dive = Dive(world, "", 0)

@@ -27,36 +27,41 @@ from reefgame.world import World
 from systems.view.cull import Culling, view_of
 
 DOING: Final = "compiling kernels (first launch only)"
-_KERNELS: Final = 114
+_KERNELS: Final = 145
 """Kernels that a first launch compiles, callees included; only the bar's length stands on it."""
+_LIVE_KERNELS: Final = 69
+"""... and those of live physics."""
+
 _LEVEL: Final = "first_dive"
 
 
-def warm_up(report: Report | None = None) -> None:
+def warm_up(report: Report | None = None, live: bool = False) -> None:
     """Compile every kernel of the tick, unless the cache holds them all; tell `report`, else a bar on a terminal.
+
+    Those of live physics are among them where `live`.
 
     It is called before the first tick and never needs to be: without a terminal to show a bar on, it does nothing.
     """
-    if is_warm():
+    if is_warm(live):
         return
     if report is not None:
-        _compile_all(report)
+        _compile_all(report, live)
     elif sys.stderr is not None and sys.stderr.isatty():
         with progress_bar(DOING) as bar:
-            _compile_all(bar)
+            _compile_all(bar, live)
 
 
-def is_warm() -> bool:
+def is_warm(live: bool = False) -> bool:
     """Return whether a launch has nothing to compile, by all that can be told at once."""
-    return bool(numba.config.DISABLE_JIT) or (CACHED and stamp().exists())
+    return bool(numba.config.DISABLE_JIT) or (CACHED and stamp(live).exists())
 
 
-def stamp() -> Path:
+def stamp(live: bool = False) -> Path:
     """Return the file whose presence says that kernels of these sources for this processor are in the cache."""
     processor = numba.config.CPU_NAME or llvmlite.binding.get_host_cpu_name()
     text = f"{sources_hash(Path(__file__))} {processor} {numba.config.CPU_FEATURES}"
     digest = hashlib.blake2b(text.encode(), digest_size=16).hexdigest()
-    return Path(numba.config.CACHE_DIR) / f"{digest}.compiled"
+    return Path(numba.config.CACHE_DIR) / f"{digest}{'.live' if live else ''}.compiled"
 
 
 def compile_backwards() -> None:
@@ -69,7 +74,7 @@ def compile_backwards() -> None:
     ship, people = world.submarine, world.population
     camera = camera_at(ship.position[0], float(ship.yaw[0]), 0.0)
     view = view_of(camera, 360.0, 16.0 / 9.0, world.level.water.visibility_m)
-    Culling(np.zeros(len(world.species)))(people, view, 0.5, 0.0)
+    Culling(np.zeros(len(world.species)), world.library.after)(people, view, 0.5, 0.0)
     for system in reversed(world.systems):
         system()
 
@@ -115,11 +120,11 @@ class _Counter(event.Listener):  # type: ignore[misc]  # numba is untyped
         self._report(min(self._done / self._expected, 1.0), DOING)
 
 
-def _compile_all(report: Report) -> None:
+def _compile_all(report: Report, live: bool) -> None:
     report(0.0, DOING)
     beside = _second_process()
-    with counting_kernels(report, _KERNELS):
-        world = World.build(load(_LEVEL))
+    with counting_kernels(report, _KERNELS + (_LIVE_KERNELS if live else 0)):
+        world = World.build(load(_LEVEL), live=int(live))
         world.tick()
         world.checksums()
         world.restore(world.snapshot())
@@ -128,4 +133,4 @@ def _compile_all(report: Report) -> None:
     report(1.0, DOING)
     if CACHED:
         with suppress(OSError):
-            stamp().touch()
+            stamp(live).touch()

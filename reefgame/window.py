@@ -33,8 +33,11 @@ def play(
     seed: int | None = None,
     record: Path | None = None,
     size: tuple[int, int] | None = None,
+    live: int | None = None,
 ) -> int:
     """Open the title with `level` chosen and play until the player leaves; return the exit status.
+
+    The `live` fishes nearest the submarine are simulated, not replayed; without it as many as the settings say.
 
     Raise ContentError where level or mods are at fault, InputError where there is no display or no
     OpenGL, or where `record` cannot be written.
@@ -42,17 +45,17 @@ def play(
     shelf = find_levels(level, mods)
     _check_writable(record)
     window = open_window(size or SIZE)
-    game = new_game(shelf, secrets.randbelow(_SEEDS) if seed is None else seed, record)
+    game = new_game(shelf, secrets.randbelow(_SEEDS) if seed is None else seed, record, live)
     view = GameWindow(window, game)
-    _fill(view)
+    _fill(view, game.live > 0)
     game.to_title()
     view.run()
     return 0
 
 
-def _fill(view: GameWindow) -> None:
+def _fill(view: GameWindow, live: bool) -> None:
     """Say what is going on before the first picture: at the first launch kernels compile."""
-    warm_up(lambda done, what: view.announce(f"{what} {done:.0%}"))
+    warm_up(lambda done, what: view.announce(f"{what} {done:.0%}"), live)
     view.announce("filling the sea ...")
 
 
@@ -65,12 +68,14 @@ def _check_writable(record: Path | None) -> None:
         raise InputError(f"{record}: cannot be written")
 
 
-def new_game(shelf: Shelf, seed: int = 0, record: Path | None = None) -> "Game":
+def new_game(
+    shelf: Shelf, seed: int = 0, record: Path | None = None, live: int | None = None
+) -> "Game":
     """Return a game with the shelf's level chosen and its title not yet open."""
     from reefgame.screens.game import Game
     from reefgame.screens.title import TitleScreen
 
-    game = Game(shelf.cards, shelf.load, shelf.start, seed, record)
+    game = Game(shelf.cards, shelf.load, shelf.start, seed, record, live)
     game.to_title = lambda: game.stack.replace(lambda: TitleScreen(game))
     for message in game.messages:
         complain(message)
@@ -88,9 +93,9 @@ def watch(replay: "Replay", content: Content) -> int:
 
     level = content.level
     card = LevelCard(level.name, level.title, level.brief)
-    game = Game([card], lambda _: content, level.name, replay.seed)
+    game = Game([card], lambda _: content, level.name, replay.seed, live=replay.live)
     view = GameWindow(window, game)
-    _fill(view)
+    _fill(view, game.live > 0)
     game.stack.replace(lambda: WatchScreen(game, replay))
     view.run()
     return 0

@@ -11,6 +11,7 @@ from components.command import Command, CommandTable
 from components.entities import Entities
 from components.fish import Population
 from components.habitat import Habitat
+from components.live import MOST_LIVE, LiveTable
 from components.objective import ObjectiveTable, Photograph
 from components.possession import AvatarTable
 from components.repertoire import RepertoireLibrary, pack
@@ -27,16 +28,23 @@ from reefgame.content.schema.level import Level
 from reefgame.level_tables import cohorts_of, food_of, habitat_of, patches_of
 from reefgame.schedule import schedule, spawner
 from reefgame.snapshot import Snapshot
+from systems.motor.live import Live
 
 
 class World:
     """One dive. Build it with `World.build(content, seed)`."""
 
-    def __init__(self, content: Content, seed: int) -> None:
+    def __init__(self, content: Content, seed: int, live: int = 0) -> None:
+        if not 0 <= live <= MOST_LIVE:
+            raise ValueError(f"{live} fishes in live physics: 0 to {MOST_LIVE} there may be")
         self.content = content
+        self.live_fishes = live
+        self.live = LiveTable(count=2 * live)
         self.level: Level = content.level
         self.species: tuple[Species, ...] = content.species
-        self.library: RepertoireLibrary = pack([s.repertoire for s in content.species])
+        self.library: RepertoireLibrary = pack(
+            [s.repertoire for s in content.species], spare=2 * self.live.count
+        )
         self.terrain: Terrain = _terrain(content)
         self.clock = Clock(seed)
         self.roster = Roster()
@@ -58,9 +66,12 @@ class World:
         self.systems = schedule(self)
 
     @classmethod
-    def build(cls, content: Content, seed: int = 0) -> "World":
-        """Return the world of the content's level before its first tick, the first groups in it."""
-        world = cls(content, seed)
+    def build(cls, content: Content, seed: int = 0, live: int = 0) -> "World":
+        """Return the world of the content's level before its first tick, the first groups in it.
+
+        The `live` fishes nearest the submarine run the muscle model, 0 to 50; raise ValueError for other numbers.
+        """
+        world = cls(content, seed, live)
         world.spawn()
         return world
 
@@ -73,7 +84,11 @@ class World:
 
     @property
     def tables(self) -> dict[str, Table]:
-        """Every table that holds state, by name, in the order of their checksums."""
+        """Every table that holds state, by name, in the order of their checksums; without live physics none for it."""
+        return self._tables | ({"live": self.live} if self.live.count else {})
+
+    @property
+    def _tables(self) -> dict[str, Table]:
         return {
             "clock": self.clock,
             "commands": self.commands,
@@ -103,6 +118,9 @@ class World:
         self.population.reindex()
         fish = self.population.fish
         self.entities.sync(fish.id[: fish.count].tolist())
+        for system in self.systems:
+            if isinstance(system, Live):
+                system.restored()
 
 
 def _terrain(content: Content) -> Terrain:

@@ -3,6 +3,7 @@
 from typing import Final
 
 from components.body import Body, Fin, Swim
+from components.fault import FaultError
 from components.mind import Role
 from components.repertoire import Repertoire
 from components.senses import FISH_GRAMS
@@ -12,6 +13,13 @@ from reefgame.content.skins import skin_of
 
 _MEALS_A_WEIGHT: Final = 400.0
 _LIKING: Final = {"bright": 1, "dark": -1, "warm": 1, "cold": -1, None: 0}
+
+UNTUNED: Final = "has no `swim` yet, find it with: reefgame capture --tune"
+"""What is wrong with a species that no level can show; the file's name follows."""
+
+
+class UntunedError(FaultError):
+    """A species that is to swim has no `swim` yet."""
 
 
 def _fin(fin: MedianFin | None) -> Fin | None:
@@ -46,8 +54,10 @@ def body_of(file: SpeciesFile) -> Body:
 
 
 def swim_of(file: SpeciesFile) -> Swim:
-    """Return how the file's species swims."""
+    """Return how the file's species swims. Raise UntunedError where the file does not say."""
     swim = file.swim
+    if swim is None:
+        raise UntunedError(f"the species '{file.title}' {UNTUNED} SPECIES.yaml")
     return Swim(
         float(swim.contraction_middle),
         float(swim.contraction_rear),

@@ -9,7 +9,7 @@ from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue
 from reefgame.content.errors import ContentError, Problem
 from reefgame.content.level_checks import level_problems
 from reefgame.content.load_order import DisabledMod, check_new, ordered
-from reefgame.content.loading import enclosing_mod, locate
+from reefgame.content.loading import check_tuned, enclosing_mod, locate, species_in
 from reefgame.content.mods import BASE, Mod, read_mod
 from reefgame.content.nodes import Mapping, Mark, Scalar
 from reefgame.content.schema.mod import ModFile
@@ -96,9 +96,13 @@ def _check_file(path: Path, known: dict[Path | None, Catalogue]) -> list[Problem
 
 def _check_one(known: Catalogue, kind: str, name: str) -> list[Problem]:
     if kind == SPECIES:
-        known.species_file(name)
+        check_tuned(known, name, known.species_file(name))
         return []
-    return level_problems(known.level(name), known.level_tree(name))
+    level = known.level(name)
+    problems = level_problems(level, known.level_tree(name))
+    for species in species_in(level):
+        problems += _problems(_check_one, known, SPECIES, species)
+    return problems
 
 
 def _check_mods(folders: Sequence[Path]) -> list[Problem]:
@@ -112,9 +116,10 @@ def _check_mods(folders: Sequence[Path]) -> list[Problem]:
         known = _without(known, mod.id)
         problems += known.add(mod)
         problems += known.problems()
-        for name, definition in known.levels.items():
-            if definition.mod == mod.id:
-                problems += _problems(_check_one, known, LEVEL, name)
+        for kind in (SPECIES, LEVEL):
+            for name, definition in known.of(kind).items():
+                if definition.mod == mod.id:
+                    problems += _problems(_check_one, known, kind, name)
     return problems
 
 

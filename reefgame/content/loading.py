@@ -7,7 +7,7 @@ from pathlib import Path
 
 from components.repertoire import Repertoire
 from components.species import Species
-from reefgame.content.anatomy import body_of, species_of, swim_of
+from reefgame.content.anatomy import UNTUNED, body_of, species_of, swim_of
 from reefgame.content.assembly import catalogue, in_mods, local
 from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue
 from reefgame.content.digest import content_hash
@@ -129,12 +129,20 @@ def enclosing_mod(path: Path) -> Path | None:
     return None if own else folder
 
 
+def check_tuned(known: Catalogue, name: str, file: SpeciesFile) -> None:
+    """Raise ContentError where the species `name` has no `swim`."""
+    if file.swim is None:
+        mark = known.species[name].tree.mark
+        raise Mark(mark.file).error(f"this species {UNTUNED} {mark.file}")
+
+
 def repertoires(
     known: Catalogue, files: Mapping[str, SpeciesFile], progress: Progress | None
 ) -> dict[str, Repertoire]:
     """Return the motion of each species; progress counts over all of them. Raise ContentError."""
     found: dict[str, Repertoire] = {}
     for index, (name, file) in enumerate(files.items()):
+        check_tuned(known, name, file)
         origins = known.origins(name)
         for origin in origins:
             check_inside(origin.repertoire, origin.root)

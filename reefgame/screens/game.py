@@ -28,12 +28,14 @@ class Game:
         start: str,
         seed: int,
         record: Path | None = None,
+        live: int | None = None,
     ) -> None:
         self.levels = tuple(levels)
         self.load = load
         self.chosen = start
         self.seed = seed
         self.record = record
+        self._live = live
         self.stack = ScreenStack()
         self.settings, wrong = settings.load()
         self.progress = Progress()
@@ -45,14 +47,20 @@ class Game:
         self._recorded = 0
 
     @property
+    def live(self) -> int:
+        """Fishes in live physics at most in the next dive, as command line or replay asked, else as settings say."""
+        return self.settings.live_physics if self._live is None else self._live
+
+    @property
     def stage(self) -> Stage:
-        """The sea on show, of the level chosen. Raise ContentError where the level is at fault."""
+        """The sea on show, of the level chosen, for a dive. Raise ContentError where the level is at fault."""
         stage = self._stage
-        if stage is None or stage.world.level.name != self.chosen:
+        fits = stage is not None and stage.world.level.name == self.chosen
+        if stage is None or not fits or stage.world.live_fishes != self.live:
             content = self.load(self.chosen)
             if stage is not None:
                 stage.delete()
-            stage = self._stage = Stage(content, self.seed, self.settings)
+            stage = self._stage = Stage(content, self.seed, self.settings, self.live)
         return stage
 
     @property

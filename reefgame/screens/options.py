@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 from reefgame.screens.game import Game
 from reefgame.screens.menu import Item
 from reefgame.screens.overlay import OverlayScreen
-from reefgame.settings import QUALITIES, RENDER_SCALES, SENSITIVITY
+from reefgame.settings import LIVE_FISHES, QUALITIES, RENDER_SCALES, SENSITIVITY
 
 _Choice = TypeVar("_Choice")
 
@@ -18,7 +18,7 @@ def beside(choices: Sequence[_Choice], now: _Choice, step: int) -> _Choice:
 
 
 class OptionsScreen(OverlayScreen):
-    """Mouse, quality and full screen."""
+    """Mouse, quality, live physics and full screen."""
 
     name = "options"
     headline = "Options"
@@ -31,6 +31,7 @@ class OptionsScreen(OverlayScreen):
             self._item(
                 "Sea resolution", lambda: f"{game.settings.render_scale} %", self._shift_scale
             ),
+            self._item("Live physics", self._live_text, self._shift_live),
             self._item("Full screen", lambda: self._switch("fullscreen"), self._full),
             Item("Back", self.back),
         ]
@@ -55,6 +56,13 @@ class OptionsScreen(OverlayScreen):
 
     def _shift_scale(self, step: int) -> None:
         self._change(render_scale=beside(RENDER_SCALES, self.game.settings.render_scale, step))
+
+    def _live_text(self) -> str:
+        fishes = self.game.settings.live_physics
+        return f"{fishes} fishes" if fishes else "off"
+
+    def _shift_live(self, step: int) -> None:
+        self._change(live_physics=beside(LIVE_FISHES, self.game.settings.live_physics, step))
 
     def _invert(self, _: int) -> None:
         self._change(invert_pitch=not self.game.settings.invert_pitch)

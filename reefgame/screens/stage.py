@@ -47,8 +47,8 @@ def drawing(quality: str, renderer: str) -> Drawing:
 class Stage:
     """World, scene and the time between ticks."""
 
-    def __init__(self, content: Content, seed: int, settings: Settings) -> None:
-        self.world = World.build(content, seed)
+    def __init__(self, content: Content, seed: int, settings: Settings, live: int = 0) -> None:
+        self.world = World.build(content, seed, live)
         self.seed = seed
         self.seconds = 0.0
         self._start = self.world.snapshot()

@@ -102,9 +102,12 @@ def mood(seed: int, tick: int, identity: int) -> int:
 
 
 @inlined
-def swim_of_gear(gear: int, hurry: float, seed: int, tick: int, identity: int) -> int:
-    """Return the pattern of the swim for a demanded gear: at leisure slow and medium may change."""
-    if hurry < LEISURE and gear < Pattern.SWIM_FAST.value:
+def swim_of_gear(gear: int, hurry: float, free: bool, seed: int, tick: int, identity: int) -> int:
+    """Return the pattern of the swim for a demanded gear: at leisure slow and medium may change.
+
+    A fish that is not `free`, for it is asked for a speed of its own, keeps to the gear.
+    """
+    if free and hurry < LEISURE and gear < Pattern.SWIM_FAST.value:
         gear = max(0, min(Pattern.SWIM_MEDIUM.value, gear + mood(seed, tick, identity)))
     return Pattern.SWIM_SLOW.value + max(0, min(Pattern.SWIM_FAST.value, gear))
 

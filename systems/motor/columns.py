@@ -30,7 +30,10 @@ class Motors(NamedTuple):
     held: Int32s
     shape_row: Int32s
     last_shape_row: Int32s
+    part: Float64s
+    last_part: Float64s
     warp_from: Int32s
+    warp_part: Float64s
     warp_to: Int32s
     warp_length: Int32s
     warp_age: Int32s

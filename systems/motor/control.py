@@ -1,11 +1,11 @@
 """Control: the secondary controller between mind and motor system (papers/000 section 6.1), and the
 careful steering of section 6.2.
 
-A mind demands a direction, a gear and an urgency. Control turns them into a segment of the
-repertoire (a gradual or a sharp turn towards a direction far to the side, a fast start for dear life,
-else the swim of the gear) and into a small rotation a tick, which aligns the body's x axis, or where
-a turn will have brought it, with the direction. Angles are taken from half
-tangents, so nothing here needs trigonometry.
+A mind demands a direction, a gear, an urgency and a throttle (systems/motor/rate.py). Control turns them
+into a segment of the repertoire (a gradual or a sharp turn towards a direction far to the side, a fast
+start for dear life, else the swim of the gear) and into a small rotation a tick, which aligns the body's
+x axis, or where a turn will have brought it, with the direction. Angles are taken from half tangents, so
+nothing here needs trigonometry.
 """
 
 from math import sqrt
@@ -59,6 +59,8 @@ class Swimmers(NamedTuple):
     heading: Float64s
     gear: Int8s
     urgency: Float64s
+    throttle: Float64s
+    pace: Float64s
     segment: Int32s
     held: Int32s
     frame: Int32s
@@ -143,12 +145,13 @@ def control_rows(first: int, last: int, fish: Swimmers, gaits: Gaits, seed: int,
         hurry = max(0.0, min(1.0, fish.urgency[i]))
         current = fish.segment[i]
         yaw = _yaw_left(r, g, steer[2])
-        swim = swim_of_gear(fish.gear[i], hurry, seed, tick, fish.id[i])
+        free = fish.throttle[i] == 1.0
+        swim = swim_of_gear(fish.gear[i], hurry, free, seed, tick, fish.id[i])
         segments = gaits.segment[fish.species[i]]
         frame = fish.frame[i]
         wanted = pick(segments, gaits, current, swim, yaw, frame, fish.held[i], hurry)
         fish.wanted[i] = wanted if wanted >= 0 else current
-        speed = min(1.0, abs(gaits.speed[current]) / FULL_STEERING_SPEED)
+        speed = min(1.0, abs(fish.pace[i] * gaits.speed[current]) / FULL_STEERING_SPEED)
         share = LEAST_STEERING + (1.0 - LEAST_STEERING) * speed
         turning = gaits.pattern[current] >= Pattern.TURN_LEFT.value
         if turning or fish.warp_length[i] > 0:
@@ -167,7 +170,7 @@ def control_parallel(count: int, fish: Swimmers, gaits: Gaits, seed: int, tick: 
 
 
 class Control:
-    """Reads heading, gear, urgency, segment, held, warp, rotation, species, id, the library and the
+    """Reads heading, gear, urgency, throttle, pace, segment, held, warp, rotation, species, id, the library and the
     clock; writes the wanted segment and steer."""
 
     def __init__(self, population: Population, library: RepertoireLibrary, clock: Clock) -> None:

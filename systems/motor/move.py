@@ -1,7 +1,8 @@
 """Move: every fish plays its segment, balances its roll and warps from one segment to the next
 (papers/000 sections 5.1 and 5.2, appendices A and B; FINDINGS 1 corrects their equations).
 
-Braking and backing are a forward swim with a negative acceleration and a negative speed (section 4.2).
+Between the gears' speeds a swim is played at a rate, so many entries a tick, the last one in part; braking and
+backing are a forward swim with a negative acceleration and a negative speed (section 4.2).
 A change of segment keeps playing the new one and adds an offset of shape and of velocity that fades
 by a smoothstep: nobody stalls, and no node jumps. It serves fishes seen and unseen alike, so what
 the camera does changes nothing.
@@ -12,13 +13,15 @@ from typing import Final, Literal
 import numba
 
 from components.arrays import Float64s
-from components.clock import TICK_SECONDS, Clock
+from components.clock import Clock
 from components.fish import Population
 from components.kernels import inlined, loop, row
 from components.repertoire import RepertoireLibrary
 from components.rotation import set_axes, turned
 from components.terrain import Terrain, confine
+from systems.motor.balance import righting, roll
 from systems.motor.columns import Bodies, Motors, bodies, motors
+from systems.motor.rate import play_at_rate
 from systems.motor.track import Track, track
 from systems.motor.warp import change, fade, wait
 
@@ -27,74 +30,17 @@ PARALLEL_FROM: Final = 500
 
 CHUNKS: Final = 64
 
-ROLL_MEMORY: Final = TICK_SECONDS / 0.4
-"""Share of today's roll in the running mean: about a beat, so that the false roll of a beat, 6
-degrees either way, averages out."""
-
-RIGHTING: Final = 1.5 * TICK_SECONDS
-"""Share of the mean roll taken out in a tick."""
-
-FASTEST_RIGHTING: Final = 1.5 * TICK_SECONDS
-"""[rad] a tick."""
-
 MARGIN: Final = 0.5
 """How far a fish's origin keeps from ground, rocks, surface and rim, over its length."""
-
-PACES: Final = (-0.2, 1.2)
-"""Slowest and fastest that a swim is played over its own speed. Beats stay as captured, strides stretch: by a fifth
-more, so that Strouhal numbers of .25 to .3 stay above .2, and backwards no faster than fins row."""
-
-BRAKING: Final = 1.5 * TICK_SECONDS
-"""Most that the pace falls in a tick: a cruising fish stands after .7 s, as the muscle model's fins brake it."""
-
-GAINING: Final = 1.5 * TICK_SECONDS
-"""Most that the pace rises in a tick."""
 
 WIDEST_MARGIN: Final = 0.9
 """[m]: shallow water must stay passable to giants."""
 
 
 @inlined
-def _pace(i: int, motor: Motors, loops: bool) -> float:
-    """Bring the pace nearer to the throttle; a turn is played as it was captured. Return the pace."""
-    pace: float = motor.pace[i]
-    if pace != 1.0 or motor.throttle[i] != 1.0:
-        wanted = max(PACES[0], min(PACES[1], motor.throttle[i])) if loops else 1.0
-        pace += max(-BRAKING, min(GAINING, wanted - pace))
-        motor.pace[i] = pace
-    return pace
-
-
-@inlined
-def roll(ahead: float, above: float, aside: float) -> float:
-    """Return the roll [rad] from the upward parts of the body's x, y and z axes (appendix B).
-
-    Its sine is -aside / sqrt(1 - ahead^2); root and arc are taken to their second terms, within 1
-    degree for what balance meets. On its back a fish rolls to the nearer side as if from a quarter
-    turn.
-    """
-    sine = max(-1.0, min(1.0, -aside * (1.0 + 0.5 * ahead * ahead)))
-    if above < 0.0:
-        sine = 1.0 if aside <= 0.0 else -1.0
-    return sine * (1.0 + sine * sine * (1.0 / 6.0))
-
-
-@inlined
-def _righting(i: int, motor: Motors, angle: float) -> float:
-    """Take today's roll into the running mean; return the part of it [rad] to take out now."""
-    mean = float(motor.mean_roll[i])
-    mean += ROLL_MEMORY * (angle - mean)
-    correction = max(-FASTEST_RIGHTING, min(FASTEST_RIGHTING, RIGHTING * mean))
-    motor.mean_roll[i] = mean - correction
-    return correction
-
-
-@inlined
-def _play(
-    i: int, t: Float64s, m: Float64s, weight: float, pace: float, fish: Bodies, motor: Motors
-) -> None:
-    """Play an entry: o <- o + R (pace length (t + weight glide)), eq. 11, then R <- steer R M, eq. 10,
-    less the part of the mean roll that balance takes out now.
+def _play(i: int, t: Float64s, m: Float64s, weight: float, fish: Bodies, motor: Motors) -> None:
+    """Play an entry: o <- o + R (length (t + weight glide)), eq. 11, then R <- steer R M, eq. 10, less
+    the part of the mean roll that balance takes out now.
 
     All loads stand before the stores: what was just stored would be waited for.
     """
@@ -103,7 +49,7 @@ def _play(
     r10, r11, r12 = r[1, 0], r[1, 1], r[1, 2]
     r20, r21, r22 = r[2, 0], r[2, 1], r[2, 2]
     x, y, z = o[0], o[1], o[2]
-    size = pace * fish.length[i]
+    size = fish.length[i]
     u = size * (t[0] + weight * motor.glide[i, 0])
     v = size * (t[1] + weight * motor.glide[i, 1])
     w = size * (t[2] + weight * motor.glide[i, 2])
@@ -124,7 +70,7 @@ def _play(
     by = r10 * m01 + r11 * m11 + r12 * m21
     bz = r20 * m01 + r21 * m11 + r22 * m21
     cx, cy, cz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    c = _righting(i, motor, roll(az, bz, cz))
+    c = righting(i, motor, roll(az, bz, cz))
     bx, by, bz = bx - c * cx, by - c * cy, bz - c * cz
     ax, ay, az = turned(ax, ay, az, p, q, s)
     bx, by, bz = turned(bx, by, bz, p, q, s)
@@ -140,12 +86,14 @@ def _step(i: int, fish: Bodies, motor: Motors, track: Track, literal: bool) -> N
     if literal and motor.warp_length[i] > 0:
         wait(i, fish, motor)
         return
+    weight = fade(i, motor)
+    if motor.pace[i] != 1.0 or motor.throttle[i] != 1.0:
+        play_at_rate(i, fish, motor, track, weight)
+        return
     segment = motor.segment[i]
     frame = motor.frame[i]
     entry = track.start[segment] + frame
-    weight = fade(i, motor)
-    pace = _pace(i, motor, track.loops[segment] == 1)
-    _play(i, track.translation[entry], track.rotation[entry], weight, pace, fish, motor)
+    _play(i, track.translation[entry], track.rotation[entry], weight, fish, motor)
     motor.shape_row[i] = entry
     frame += 1
     motor.frame[i] = 0 if frame == track.length[segment] and track.loops[segment] else frame

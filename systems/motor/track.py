@@ -37,6 +37,12 @@ class Track(NamedTuple):
     "(S,)"
     segment: Int32s
     "(species, 9)"
+    speed: Float64s
+    "[BL/s], (S,)"
+    after: Int32s
+    "the entry that follows each, (E,)"
+    turn: Float64s
+    "rotation vector of M [rad], body axes, (E, 3)"
     match: Int32s
     "the frame of each pattern's segment whose shape is nearest to an entry's, 0 in turns, (E, 9)"
     literal: bool = False
@@ -48,6 +54,16 @@ def planes(shape: Float32s) -> Float32s:
     padded = np.zeros((len(shape), 3, PLANE), np.float32)
     padded[:, :, :NODES] = shape.transpose(0, 2, 1)
     return padded
+
+
+def rotation_vectors(rotation: Float64s) -> Float64s:
+    """Return the rotation vectors [rad] of rotations (E, 3, 3), (E, 3): to 1e-9 below .2 rad, where swims lie, to 1e-5
+    below .5, where fast starts do. The arc's series."""
+    a = 0.5 * (rotation - rotation.transpose(0, 2, 1))
+    sine = np.stack((a[:, 2, 1], a[:, 0, 2], a[:, 1, 0]), axis=1)
+    s = (sine[:, 0] * sine[:, 0] + sine[:, 1] * sine[:, 1]) + sine[:, 2] * sine[:, 2]
+    series = 1.0 + s * (1 / 6 + s * (3 / 40 + s * (5 / 112 + s * (35 / 1152 + s * (63 / 2816)))))
+    return np.ascontiguousarray(sine * series[:, None])
 
 
 def track(library: RepertoireLibrary, literal: bool = False) -> Track:
@@ -64,6 +80,9 @@ def track(library: RepertoireLibrary, literal: bool = False) -> Track:
         library.loops,
         library.pattern,
         library.segment,
+        library.speed,
+        library.after,
+        rotation_vectors(library.rotation),
         match,
         literal,
     )

@@ -8,6 +8,7 @@ from math import floor, sqrt
 from typing import Final
 
 from components.kernels import inlined, row
+from components.motor import PACES
 from components.repertoire import Pattern
 from systems.motor.columns import Bodies, Motors
 from systems.motor.track import Track, apart
@@ -22,19 +23,50 @@ SMOOTHSTEP_SLOPE: Final = 1.5
 
 
 @row
+def _switch_at_rate(i: int, motor: Motors, track: Track, wanted: int, old: int, to: int) -> None:
+    """Carry the speed of a fish that plays at another rate into the gear `wanted`, and the shape between two entries.
+
+    What was shown is now the new segment's shape with the whole of the offset, so that a tick knows but one segment.
+    """
+    part, after = motor.part[i], track.after[old]
+    motor.warp_part[i] = part
+    motor.part[i] = motor.last_part[i] = 0.0
+    motor.last_shape_row[i] = to
+    motor.last_warp_weight[i] = 1.0
+    leaving, ratio = motor.segment[i], 1.0
+    if track.loops[leaving] == 1 and track.loops[wanted] == 1:
+        pace = motor.pace[i]
+        carried = pace * (track.speed[leaving] / track.speed[wanted])
+        carried = max(PACES[0], min(PACES[1], carried))
+        ratio = track.speed[wanted] / track.speed[leaving] if carried == 0.0 else pace / carried
+        motor.pace[i] = carried
+    for k in range(3):
+        was = track.translation[old, k]
+        was += part * (track.translation[after, k] - was)
+        motor.glide[i, k] = ratio * was - track.translation[to, k]
+
+
+@row
 def switch(i: int, motor: Motors, track: Track, wanted: int) -> None:
     """Leave the segment being played for `wanted`: set up the warp that leads there."""
     old = motor.shape_row[i]
-    frame = track.match[old, track.pattern[wanted]]
+    part, after = motor.part[i], track.after[old]
+    frame = track.match[after if part > 0.5 else old, track.pattern[wanted]]
     to = track.start[wanted] + frame
-    gap = sqrt(apart(track.shape[old], track.shape[to], False))
+    gap = apart(track.shape[old], track.shape[to], False)
+    if part > 0.0:
+        gap = max(gap, apart(track.shape[after], track.shape[to], False))
+    gap = sqrt(gap)
     motor.warp_from[i] = old
+    motor.warp_part[i] = 0.0
     motor.warp_to[i] = to
     slope, shortest = (1.0, 1) if track.literal else (SMOOTHSTEP_SLOPE, SHORTEST_WARP)
     motor.warp_length[i] = max(shortest, floor(gap * (slope / WARP_STEP)) + 1)
     motor.warp_age[i] = 0
     for k in range(3):
         motor.glide[i, k] = track.translation[old, k] - track.translation[to, k]
+    if motor.pace[i] != 1.0 or motor.throttle[i] != 1.0:
+        _switch_at_rate(i, motor, track, wanted, old, to)
     motor.segment[i] = wanted
     motor.frame[i] = (frame + track.loops[wanted]) % track.length[wanted]
     motor.held[i] = 0

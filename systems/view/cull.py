@@ -14,6 +14,7 @@ from components.arrays import Float32s, Float64s, Int32s, Int64s
 from components.camera import Camera
 from components.fish import Population
 from components.kernels import row
+from components.motor import shown_between
 from components.rotation import between
 
 CLOSE_PIXELS: Final = 113.0
@@ -26,9 +27,11 @@ HIDDEN: Final = 3.0
 """Visibilities at which water hides everything."""
 RECORD: Final = 20
 """Numbers in an instance record: origin, length; quaternion; shapes last and now, blend, warp's weight; warp's shapes,
-species, fin phase; tint, shine and gape."""
+species and part behind the shape that the warp leaves, fin phase; tint, shine and gape."""
 GAPES: Final = 64
 """Steps of an opening mouth: 2 n is added to the shine, which is 1 at most, where n of them are open."""
+MOST_PART: Final = 0.9999
+"""Most that a part adds to a species' number: as float32 it must not reach the next."""
 LEVELS: Final = 3
 CARD: Final = 2
 """The coarsest level: its fishes are too small to show how they turn within a tick."""
@@ -67,7 +70,10 @@ class Drawn(NamedTuple):
     last_rotation: Float64s
     shape_row: Int32s
     last_shape_row: Int32s
+    part: Float64s
+    last_part: Float64s
     warp_from: Int32s
+    warp_part: Float64s
     warp_to: Int32s
     warp_weight: Float64s
     last_warp_weight: Float64s
@@ -137,12 +143,20 @@ def quaternion(r: Float64s, out: Float32s) -> None:
 
 
 @row
-def write_shape(fish: Drawn, i: int, alpha: float, out: Float32s) -> None:
-    """Write which shapes the fish in row i shows, and its species."""
+def write_shape(fish: Drawn, i: int, alpha: float, after: Int32s, out: Float32s) -> None:
+    """Write which shapes the fish in row i shows, and its species with the part behind the shape its warp leaves."""
     last, now = fish.last_warp_weight[i], fish.warp_weight[i]
-    out[8], out[9], out[10] = fish.last_shape_row[i], fish.shape_row[i], alpha
+    out[8], out[9], out[10] = shown_between(
+        fish.last_shape_row[i],
+        fish.last_part[i],
+        fish.shape_row[i],
+        fish.part[i],
+        alpha,
+        after,
+    )
     out[11] = last + (now - last) * alpha
-    out[12], out[13], out[14] = fish.warp_from[i], fish.warp_to[i], fish.species[i]
+    out[12], out[13] = fish.warp_from[i], fish.warp_to[i]
+    out[14] = fish.species[i] + min(fish.warp_part[i], MOST_PART)
 
 
 @row
@@ -171,6 +185,7 @@ def select(
     alpha: float,
     seconds: float,
     shine: Float64s,
+    after: Int32s,
     axes: Float64s,
     records: Float32s,
     distances: Float32s,
@@ -199,7 +214,7 @@ def select(
             quaternion(axes, out[4:8])
         else:
             quaternion(fish.rotation[i], out[4:8])
-        write_shape(fish, i, alpha, out)
+        write_shape(fish, i, alpha, after, out)
         gloss = shine[fish.species[i]] + 2.0 * floor(GAPES * fish.gape[i] + 0.5)
         write_manner(fish.id[i], fish.length[i], gloss, seconds, level < CARD, out)
 
@@ -217,6 +232,8 @@ class Culling:
 
     shine: Float64s
     "of each species' skin, (species,)"
+    after: Int32s
+    "the shape row that follows each, `RepertoireLibrary.after`, (E,)"
     counts: Int64s = field(default_factory=lambda: np.zeros(LEVELS, np.int64))
     "fishes seen at each level, (3,)"
 
@@ -235,6 +252,7 @@ class Culling:
             alpha,
             seconds,
             self.shine,
+            self.after,
             self._axes,
             self._records,
             self._distances,

@@ -50,7 +50,7 @@ def wrapped(texels: Float32s, widest: int) -> Float32s:
 
 
 class DrawFish:
-    """Draws a population's fishes. Reads its fish and motor tables; writes to the GPU only.
+    """Draws a population's fishes. Reads its fish and motor tables and the library; writes to the GPU only.
 
     `species` in the order of their rows; `library` holds their shapes. `draw` expects the `Frame` block up to date.
     """
@@ -61,11 +61,12 @@ class DrawFish:
 
         widest = c_int()
         gl.glGetIntegerv(gl.GL_MAX_TEXTURE_SIZE, byref(widest))
-        self.cull = Culling(np.array([s.skin.shine for s in species]))
+        self.cull = Culling(np.array([s.skin.shine for s in species]), library.after)
         self._textures = (c_uint * 3)()
         gl.glGenTextures(3, self._textures)
         self.widest = widest.value
         side = min(self.widest, 4096)
+        self._library = library
         levels = [levels_for(s.body) for s in species]
         self._upload_shapes(library, side)
         self._upload_weights(levels, side)
@@ -95,6 +96,7 @@ class DrawFish:
         if not self.cull.counts.any():
             return
         self.bind_textures()
+        self._upload_spare()
         for level, mesh in enumerate(self._meshes):
             mesh.upload(self.cull.records(level))
         gl.glEnable(gl.GL_DEPTH_TEST)
@@ -195,7 +197,28 @@ class DrawFish:
         shape = library.shape
         texels = np.zeros((max(len(shape), 1), NODES, 4), np.float32)
         texels[: len(shape), :, :3] = shape
-        self._upload_table(SHAPES_UNIT, wrapped(texels, side))
+        texels[: len(shape), :, 3] = library.after[:, None]
+        self._shapes = wrapped(texels, side)
+        self._upload_table(SHAPES_UNIT, self._shapes)
+
+    def _upload_spare(self) -> None:
+        """Bring the rows of the texture that hold the library's spare shapes up to date: fishes in live physics."""
+        from pyglet import gl
+
+        spare, shape = self._library.spare, self._library.shape
+        if not spare:
+            return
+        a_row = self._shapes.shape[1] // NODES
+        first = len(shape) - spare
+        top = first // a_row
+        changed = self._shapes[top:]
+        items = changed.reshape(-1, NODES, 4)
+        items[first - top * a_row : len(shape) - top * a_row, :, :3] = shape[first:]
+        gl.glActiveTexture(gl.GL_TEXTURE0 + SHAPES_UNIT)
+        gl.glTexSubImage2D(
+            *(gl.GL_TEXTURE_2D, 0, 0, top, changed.shape[1], changed.shape[0]),
+            *(gl.GL_RGBA, gl.GL_FLOAT, changed.ctypes.data),
+        )
 
     def _upload_weights(self, levels: Sequence[Sequence[Level]], side: int) -> None:
         tables = [level.table for species in levels for level in species]

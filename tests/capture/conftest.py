@@ -1,56 +1,63 @@
-"""The two species that are shipped, in the numbers of FINDINGS 1b, and their files."""
+"""The species that are shipped: their bodies and swims as their YAML says, and their files."""
 
+from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import assets
+from components.arrays import Float64s
 from components.body import Body, Swim
-from components.repertoire import Repertoire, load
+from components.repertoire import Repertoire, Segment, load
+from reefgame.content import read_species
+from reefgame.content.anatomy import body_of, swim_of
 
-SPECIES = {
-    "sardine": (
-        Body(
-            station=(0.11, 0.28, 0.47, 0.66, 0.82),
-            half_width=(0.036, 0.050, 0.047, 0.032, 0.013),
-            half_height=(0.060, 0.088, 0.085, 0.058, 0.026),
-            tail_span=0.105,
-        ),
-        Swim(0.341, 0.554, 152.8, 4.0),
-    ),
-    "blue_tang": (
-        Body(
-            station=(0.11, 0.27, 0.46, 0.65, 0.80),
-            half_width=(0.040, 0.058, 0.054, 0.036, 0.016),
-            half_height=(0.120, 0.180, 0.185, 0.125, 0.042),
-            tail_span=0.140,
-        ),
-        Swim(0.286, 0.423, 142.7, 3.0),
-    ),
-}
+ASSETS = Path(str(assets.__file__)).parent
+
+Play = Callable[[Segment, int], tuple[Float64s, Float64s, Float64s]]
 
 
-@pytest.fixture(params=sorted(SPECIES))
+@pytest.fixture(params=["blue_tang", "sardine"])
 def name(request: pytest.FixtureRequest) -> str:
-    """Each shipped species in turn."""
+    """Two species in turn; a test may name others."""
     return str(request.param)
 
 
 @pytest.fixture
 def body(name: str) -> Body:
-    return SPECIES[name][0]
+    return body_of(read_species(ASSETS / "species" / f"{name}.yaml")[1])
 
 
 @pytest.fixture
 def swim(name: str) -> Swim:
-    return SPECIES[name][1]
+    return swim_of(read_species(ASSETS / "species" / f"{name}.yaml")[1])
 
 
 @pytest.fixture
 def shipped_file(name: str) -> Path:
-    return Path(str(assets.__file__)).parent / "repertoires" / f"{name}.npz"
+    return ASSETS / "repertoires" / f"{name}.npz"
 
 
 @pytest.fixture
 def shipped(shipped_file: Path) -> Repertoire:
     return load(shipped_file)
+
+
+def _played(segment: Segment, cycles: int) -> tuple[Float64s, Float64s, Float64s]:
+    origin, rotation = np.zeros(3), np.eye(3)
+    origins, rotations, nodes = [origin], [rotation], []
+    for _ in range(cycles):
+        for m, t, d in zip(segment.rotation, segment.translation, segment.shape, strict=True):
+            origin = origin + rotation @ t
+            rotation = rotation @ m
+            origins.append(origin)
+            rotations.append(rotation)
+            nodes.append(origin + d @ rotation.T)
+    return np.array(origins), np.array(rotations), np.array(nodes)
+
+
+@pytest.fixture
+def played() -> Play:
+    """How a segment looks when it is played: o, R and world nodes at each frame, from R = 1 at the origin."""
+    return _played

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+import assets
 import components.repertoire_file as file
 from components.repertoire import (
     Pattern,
@@ -96,7 +97,10 @@ def test_a_missing_file_is_one_clear_line(tmp_path: Path) -> None:
         load(tmp_path / "nothing.npz")
 
 
-ENTRIES = 244
+ENTRIES = sum(
+    len(segment.translation)
+    for segment in load(Path(str(assets.__file__)).parent / "repertoires" / "sardine.npz").segments
+)
 "Of the sardine, in all."
 
 BAD_ARRAYS = [

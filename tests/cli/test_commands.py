@@ -147,6 +147,11 @@ def test_an_unwritable_folder_costs_the_recording_not_the_dive(
         (("play", "first_dive", "--size", "0x0"), "size '0x0': two numbers from 1 to"),
         (("shot", "first_dive", "--size", "9x", "-o", "x.png"), "size '9x': two numbers"),
         (("play", "first_dive", "--seed", "-1"), "seed '-1': a whole number from 0 to"),
+        (
+            ("play", "first_dive", "--live", "51"),
+            "number of fishes '51': a whole number from 0 to 50",
+        ),
+        (("soak", "visitors", "--ticks", "1", "--live", "-1"), "number of fishes '-1'"),
         (("soak", "first_dive", "--ticks", "-5"), "number of ticks '-5': a whole number"),
         (("shot", "first_dive", "--from", "1,2", "-o", "x.png"), "point '1,2': three numbers"),
         (("replay", "none.replay", "--verify"), "none.replay:1:1: cannot be read: No such file"),

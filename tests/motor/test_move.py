@@ -8,18 +8,18 @@ import pytest
 from components.arrays import Float32s, Float64s
 from components.clock import Clock
 from components.fish import Population
+from components.motor import PACES
 from components.repertoire import Pattern, RepertoireLibrary
 from components.terrain import Terrain, ground_height
 from systems.motor.columns import bodies, motors
 from systems.motor.move import (
-    BRAKING,
     MARGIN,
-    PACES,
     Move,
     move_parallel,
     move_serial,
 )
 from systems.motor.pose import pose
+from systems.motor.rate import BRAKING
 from systems.motor.track import track
 from systems.motor.warp import SHORTEST_WARP, WARP_STEP
 

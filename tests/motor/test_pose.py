@@ -84,7 +84,8 @@ def test_the_fast_kernel_gives_the_reference_s_nodes(
 ) -> None:
     fish = _moved(school, captured, sea, 3)
     nodes = np.empty((8, 3, NODES + 1), np.float32)
-    reconstruct(8, bodies(fish.fish), motors(fish.motor), track(captured).shape, nodes)
+    played = track(captured)
+    reconstruct(8, bodies(fish.fish), motors(fish.motor), played.shape, played.after, nodes)
     planes = pose(fish, captured).transpose(0, 2, 1)
     np.testing.assert_allclose(nodes[:, :, :NODES], planes, atol=2e-6)
     assert fish.motor.warp_weight[:8].max() > 0.0

@@ -19,7 +19,7 @@ Reports = list[tuple[float, str]]
 def reports(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Reports:
     """What a first launch tells; its stamp lies in a folder of its own, the kernels where they are."""
     place = tmp_path / "stamp"
-    monkeypatch.setattr(warmup, "stamp", lambda: place)
+    monkeypatch.setattr(warmup, "stamp", lambda _=False: place)
     return []
 
 
@@ -51,7 +51,7 @@ def test_without_a_place_for_the_stamp_each_launch_warms_up(
 def test_a_folder_that_cannot_be_written_costs_the_stamp_alone(
     tell: Callable[[float, str], None], reports: Reports, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(warmup, "stamp", lambda: Path("/dev/null/stamp"))
+    monkeypatch.setattr(warmup, "stamp", lambda _=False: Path("/dev/null/stamp"))
     warm_up(tell)
     assert reports[-1] == (1.0, DOING)
 
@@ -99,16 +99,16 @@ def test_the_stamp_lies_with_the_kernels_and_follows_their_sources(
 def test_a_level_that_is_not_there_is_told_before_the_long_work(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(opening, "is_warm", lambda: False)
-    monkeypatch.setattr(opening, "warm_up", lambda: pytest.fail("kernels were compiled"))
+    monkeypatch.setattr(opening, "is_warm", lambda _: False)
+    monkeypatch.setattr(opening, "warm_up", lambda **_: pytest.fail("kernels were compiled"))
     with pytest.raises(ContentError, match="there is no level 'frist_dive'"):
         opening.open_level("frist_dive", [])
 
 
 def test_kernels_are_compiled_once_as_a_level_opens(monkeypatch: pytest.MonkeyPatch) -> None:
     warmed: list[str] = []
-    monkeypatch.setattr(opening, "is_warm", lambda: bool(warmed))
-    monkeypatch.setattr(opening, "warm_up", lambda: warmed.append("compiled"))
+    monkeypatch.setattr(opening, "is_warm", lambda _: bool(warmed))
+    monkeypatch.setattr(opening, "warm_up", lambda **_: warmed.append("compiled"))
     assert opening.open_level("visitors", [], compiled=False).level.name == "visitors"
     assert warmed == []
     opening.open_level("visitors", [])

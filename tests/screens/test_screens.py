@@ -174,14 +174,17 @@ def test_a_restart_begins_the_same_dive_anew(player: Any) -> None:
 def test_options_take_effect_and_are_saved(player: Any) -> None:
     player.press("DOWN", "RETURN")
     assert player.screen.name == "options"
-    player.press("RIGHT", "RIGHT", "DOWN", "RETURN", "DOWN", "RIGHT", "DOWN", "LEFT")
+    player.press(
+        "RIGHT", "RIGHT", "DOWN", "RETURN", "DOWN", "RIGHT", "DOWN", "LEFT", "DOWN", "RIGHT"
+    )
     saved, wrong = load_settings()
     assert wrong == []
     assert saved == player.game.settings
     assert (saved.mouse_sensitivity, saved.invert_pitch) == (1.2, True)
-    assert (saved.quality, saved.render_scale) == ("low", 75)
+    assert (saved.quality, saved.render_scale, saved.live_physics) == ("low", 75, 10)
     player.press("ESCAPE", "UP", "RETURN")
     player.wait(1)
+    assert player.screen.world.live_fishes == 10
     assert player.screen.controls.invert_pitch
     assert player.view.picture().std() > 10
 

@@ -8,7 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from reefgame.settings import QUALITIES, RENDER_SCALES, Settings, load, save, settings_path
+from reefgame.settings import (
+    LIVE_FISHES,
+    QUALITIES,
+    RENDER_SCALES,
+    Settings,
+    load,
+    save,
+    settings_path,
+)
 
 ANY = st.builds(
     Settings,
@@ -17,6 +25,7 @@ ANY = st.builds(
     quality=st.sampled_from(QUALITIES),
     render_scale=st.sampled_from(RENDER_SCALES),
     fullscreen=st.booleans(),
+    live_physics=st.sampled_from(LIVE_FISHES),
 )
 
 

@@ -24,6 +24,7 @@ import systems.motor.pectorals
 import tools.capture.bend
 import tools.capture.cut
 import tools.capture.escape
+import tools.capture.phase
 import tools.capture.record
 import tools.capture.rotation
 import tools.capture.turns
@@ -36,15 +37,17 @@ from systems.motor.contract import TWO_PI, Stroke
 from systems.motor.muscle_model import BodyModel, body_model
 from tools.capture.cut import beat_start, cut
 from tools.capture.escape import fast_start
+from tools.capture.faults import check, suspect
 from tools.capture.measure import measure_swim
-from tools.capture.record import Recording, record
+from tools.capture.phase import Gear, begun, phase_notes
+from tools.capture.record import BlewUpError, Recording, record
 from tools.capture.turns import Found, gradual_turn, sharp_turn
 
 Progress = Callable[[float, str], None]
 """Told how far the work is, 0 to 1, and what is being done."""
 
-GEARS: Final = {
-    Pattern.SWIM_SLOW: (0.65, 0.65),
+GEARS: Final[dict[Pattern, Gear]] = {
+    Pattern.SWIM_SLOW: (0.75, 0.6),
     Pattern.SWIM_MEDIUM: (1.0, 1.0),
     Pattern.SWIM_FAST: (1.0, 1.6),
 }
@@ -53,7 +56,7 @@ GEARS: Final = {
 SETTLE_FRAMES: Final = 16 * TICKS_PER_SECOND
 """How long a beat runs before it is cut."""
 
-_PHASE_RUNS: Final = 4
+_PHASE_RUNS: Final = 3
 _SOURCES: Final = (
     components.trigonometry,
     systems.motor.biomechanics,
@@ -65,6 +68,7 @@ _SOURCES: Final = (
     tools.capture.bend,
     tools.capture.cut,
     tools.capture.escape,
+    tools.capture.phase,
     tools.capture.record,
     tools.capture.rotation,
     tools.capture.turns,
@@ -72,19 +76,29 @@ _SOURCES: Final = (
 
 
 def capture(body: Body, swim: Swim, progress: Progress | None = None) -> Repertoire:
-    """Return the repertoire of a species. Raise ValueError where the body does not swim at all.
+    """Return the repertoire of a species. Raise ValueError, one line, where the body does not swim at all.
 
-    The provenance holds the fingerprint, each segment's figures, and under "warnings" what is unlike a living fish.
+    The provenance holds the fingerprint, each segment's figures and muscle phase (tools/capture/phase.py), and under
+    "warnings" what is unlike a living fish.
     """
+    check(body, swim)
+    try:
+        return _repertoire(body, swim, progress)
+    except BlewUpError as error:
+        raise ValueError(f"{error}: {suspect(body, swim, error.frame + 1)}") from None
+
+
+def _repertoire(body: Body, swim: Swim, progress: Progress | None) -> Repertoire:
     segments: list[Segment] = []
     notes: dict[str, str] = {}
     warnings: list[str] = []
     stages = len(GEARS) + 3
-    for stage, (segment, figures, faults) in enumerate(_segments(body, swim)):
-        name = segment.pattern.name.lower()
-        segments.append(segment)
-        notes[name] = figures
-        warnings += [f"{name}: {fault}" for fault in faults]
+    for stage, (found, gear) in enumerate(_segments(body, swim)):
+        name = found.segment.pattern.name.lower()
+        segments.append(found.segment)
+        notes[name] = found.figures
+        notes |= phase_notes(name, found.stroke, gear)
+        warnings += [f"{name}: {fault}" for fault in found.faults]
         if progress is not None:
             progress((stage + 1) / stages, name.replace("_", " "))
     notes["fingerprint"] = fingerprint(body, swim)
@@ -106,21 +120,21 @@ def fingerprint(body: Body, swim: Swim) -> str:
     return digest.hexdigest()
 
 
-def _segments(body: Body, swim: Swim) -> Iterator[Found]:
-    """Yield each segment with its figures and faults."""
+def _segments(body: Body, swim: Swim) -> Iterator[tuple[Found, Gear]]:
+    """Yield each segment, and the gear that it is swum in or goes over into."""
     model = body_model(body, swim)
     ready: dict[Pattern, tuple[Stroke, int, Segment]] = {}
-    for pattern, (amplitude, pace) in GEARS.items():
-        stroke, first, recording = _in_phase(model, controllers.swim(swim, amplitude, pace))
+    for pattern, gear in GEARS.items():
+        stroke, first, recording = _in_phase(model, controllers.swim(swim, *gear))
         segment = cut(recording, pattern, first, stroke.period // SUBSTEPS, True)
         ready[pattern] = stroke, first, segment
         figures = measure_swim(recording, segment, first)
-        yield segment, figures.text(), figures.faults()
-    cruise, first, _ = ready[Pattern.SWIM_MEDIUM]
-    yield gradual_turn(model, cruise, first)
-    yield sharp_turn(model, cruise, first)
-    fast, _, beat = ready[Pattern.SWIM_FAST]
-    yield fast_start(body_model(body, swim, "firm"), fast, beat)
+        yield Found(segment, figures.text(), figures.faults(), begun(stroke, first + 1)), gear
+    (cruise, first, _), gear = ready[Pattern.SWIM_MEDIUM], GEARS[Pattern.SWIM_MEDIUM]
+    yield gradual_turn(model, cruise, first), gear
+    yield sharp_turn(model, cruise, first), gear
+    (fast, _, beat), gear = ready[Pattern.SWIM_FAST], GEARS[Pattern.SWIM_FAST]
+    yield fast_start(body_model(body, swim, "firm"), fast, beat), gear
 
 
 def _in_phase(model: BodyModel, stroke: Stroke) -> tuple[Stroke, int, Recording]:

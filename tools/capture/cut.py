@@ -1,6 +1,7 @@
 """Cuts segments out of recordings: where a beat begins, what an entry holds, and how a cycle closes (FINDINGS 1)."""
 
 from math import sqrt
+from typing import Final
 
 import numpy as np
 
@@ -9,6 +10,9 @@ from components.kernels import row, serial
 from components.repertoire import Pattern, Segment
 from tools.capture.record import Recording
 from tools.capture.rotation import multiply, rotation_from, rotation_vector
+
+MOTIONLESS: Final = 1e-6
+"""[BL] a beat below which a fish is taken to stand still."""
 
 
 @serial
@@ -71,9 +75,14 @@ def cut(recording: Recording, pattern: Pattern, first: int, length: int, loops: 
 
 
 def course(recording: Recording, first: int, period: int) -> tuple[float, float]:
-    """Return the level direction of travel over the beat that starts at frame `first`, a unit vector (x, y)."""
+    """Return the level direction of travel over the beat that starts at frame `first`, a unit vector (x, y).
+
+    Raise ValueError where the fish gets nowhere.
+    """
     step = recording.origin[first + period] - recording.origin[first]
     size = sqrt(step[0] * step[0] + step[1] * step[1])
+    if not size > MOTIONLESS:
+        raise ValueError("the fish does not swim: it stays where it is")
     return float(step[0]) / size, float(step[1]) / size
 
 

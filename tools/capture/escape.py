@@ -4,7 +4,7 @@ Two loops in the space of shapes turn a fish that has no speed. They are bettere
 change of its contractions at a time, which keeps joints below their limit; then the fast swim takes over.
 """
 
-from math import floor
+from math import floor, inf
 from typing import Final
 
 import numpy as np
@@ -19,10 +19,11 @@ from systems.motor.contract import FAST_START, KNOT_SECONDS, TWO_PI, Stroke
 from systems.motor.muscle_model import BodyModel
 from tools.capture.bend import START_LEAST, Bend, largest_joint, level_turn, speed_ahead
 from tools.capture.cut import body_shape, cut
-from tools.capture.record import Recording, at_rest, record
+from tools.capture.phase import begun
+from tools.capture.record import BlewUpError, Recording, record
 from tools.capture.turns import Found
 
-SEARCHES: Final = 240
+SEARCHES: Final = 400
 """Changes of the loops that are tried."""
 
 NET_FRAMES: Final = TICKS_PER_SECOND
@@ -30,6 +31,12 @@ NET_FRAMES: Final = TICKS_PER_SECOND
 
 ENOUGH: Final = 110.0 * DEGREE
 """[rad] beyond which a farther turn counts for nothing."""
+
+EARLY_FRAMES: Final = 4
+"""When the first bend's turn of the head is measured, within 67 ms ..."""
+
+EARLY: Final = 90.0 * DEGREE
+"""[rad] ... beyond which a farther one counts for nothing."""
 
 JOINT: Final = 66.0 * DEGREE
 """[rad] that a joint may bend without loss."""
@@ -72,7 +79,9 @@ def fast_start(model: BodyModel, fast: Stroke, beat: Segment) -> Found:
     joint = max(largest_joint(alone.nodes), largest_joint(runs[chosen].nodes[: length + 1]))
     bend = Bend(net, joint, gap)
     segment = cut(runs[chosen], Pattern.FAST_START_LEFT, 0, length, False)
-    return segment, bend.text(segment), bend.faults(START_LEAST, START_GAP)
+    faults = bend.faults(START_LEAST, START_GAP)
+    stroke = begun(_leaving(fast, loops, chosen * TWO_PI / _PHASES), 1)
+    return Found(segment, bend.text(segment), faults, stroke)
 
 
 def _alone(model: BodyModel, loops: Float64s) -> Recording:
@@ -83,10 +92,14 @@ def _alone(model: BodyModel, loops: Float64s) -> Recording:
 
 def _loss(model: BodyModel, loops: Float64s) -> float:
     """Return what a fast start lacks, in degrees turned."""
-    run = _alone(model, loops)
+    try:
+        run = _alone(model, loops)
+    except BlewUpError:
+        return inf
     net = level_turn(run.rotation[0], run.rotation[NET_FRAMES])
     loss = (ENOUGH - min(net, ENOUGH)) + 5.0 * max(0.0, largest_joint(run.nodes) - JOINT)
     loss += 3.0 * max(0.0, largest_joint(run.nodes[-1:]) - STRAIGHT)
+    loss += 0.5 * max(0.0, EARLY - level_turn(run.rotation[0], run.rotation[EARLY_FRAMES]))
     speed = speed_ahead(run.origin[-7:], run.rotation[-1, :, 0])
     return loss / DEGREE + 20.0 * max(0.0, LEAVING - speed)
 
@@ -96,9 +109,11 @@ def _bettered(model: BodyModel) -> Float64s:
     least, scale = min((_loss(model, scale * FAST_START), scale) for scale in _SCALES)
     loops, step = scale * FAST_START, _STEP
     for turn in range(SEARCHES):
+        if least <= 0.0:
+            break
         tried = loops.copy()
         for segment in range(tried.shape[0]):
-            for knot in range(1, tried.shape[1] - 1):
+            for knot in range(tried.shape[1] - 1):
                 place = tried.shape[1] * segment + knot
                 if uniform(_SEED, _STREAM, turn, 2 * place) < _SHARE:
                     change = 2.0 * uniform(_SEED, _STREAM, turn, 2 * place + 1) - 1.0
@@ -114,10 +129,13 @@ def _bettered(model: BodyModel) -> Float64s:
 
 def _into_swim(model: BodyModel, fast: Stroke, loops: Float64s, offset: float) -> Recording:
     """Return a fast start that the fast swim follows, its beat shifted by `offset` [rad]."""
-    stroke = fast._replace(
+    return record(model, _leaving(fast, loops, offset), END[1] + 2)
+
+
+def _leaving(fast: Stroke, loops: Float64s, offset: float) -> Stroke:
+    return fast._replace(
         offset=offset, turn_at=SUBSTEPS, flight=1.0, loops=loops, swim_at=_LOOP_SUBSTEPS
     )
-    return record(model, stroke, END[1] + 2, at_rest(model))
 
 
 def _nearest(run: Recording, beat: Segment) -> tuple[float, int]:

@@ -9,6 +9,7 @@ from components.arrays import Float64s
 from components.clock import TICKS_PER_SECOND
 from components.repertoire import Segment, heading_change, mean_speed
 from components.trigonometry import DEGREE
+from tools.capture.bend import JOINT_LIMIT, largest_joint
 from tools.capture.cut import course, shape_gap
 from tools.capture.record import Recording
 
@@ -39,6 +40,8 @@ class SwimFigures:
     "largest change of shape over the cycle [BL]"
     backward: bool
     "whether the wave of bending runs from head to tail"
+    joint: float = 0.0
+    "largest angle between two parts of the centre line [rad]"
 
     def text(self) -> str:
         """Return the figures as one line for the provenance."""
@@ -58,6 +61,8 @@ class SwimFigures:
             found.append(f"sweep {self.sweep:.2f} BL outside {SWEEP_RANGE}")
         if not self.backward:
             found.append("the wave runs forwards")
+        if not self.joint <= JOINT_LIMIT:
+            found.append(f"bends a joint by {self.joint / DEGREE:.0f} degrees")
         return found
 
 
@@ -79,6 +84,7 @@ def measure_swim(recording: Recording, segment: Segment, first: int) -> SwimFigu
         frequency * sweep / speed if speed > 0 else float("inf"),
         shape_gap(recording, first, first + period),
         _lag(aside) < period / 2,
+        largest_joint(beat),
     )
 
 

@@ -1,7 +1,7 @@
 """Runs the biomechanical fish through a stroke and writes down its nodes and body axes (papers/000, 4.1)."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -11,6 +11,9 @@ from systems.motor.biomechanics import Workspace, advance, workspace
 from systems.motor.body_frame import body_frame
 from systems.motor.contract import Stroke
 from systems.motor.muscle_model import BodyModel
+
+REACH: Final = 2.0
+"""[BL] farther than any node of a sound body lies from its origin, along an axis."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +26,14 @@ class Recording:
     "[BL] o, (F, 3)"
     rotation: Float64s
     "R, (F, 3, 3)"
+
+
+class BlewUpError(ValueError):
+    """A simulation ran away: `frame` is the first at which a node was nowhere near its body."""
+
+    def __init__(self, frame: int) -> None:
+        self.frame = frame
+        super().__init__(f"the simulation blows up at frame {frame}")
 
 
 class State(NamedTuple):
@@ -53,11 +64,19 @@ def _run(
     nodes: Float64s,
     origin: Float64s,
     rotation: Float64s,
-) -> None:
+) -> int:
+    """Write the frames; return how many are sound: those before a node is farther than `REACH` from the body."""
     for frame in range(len(nodes)):
         advance(model, stroke, begin + frame, state.position, state.velocity, work)
         nodes[frame] = state.position
         body_frame(nodes[frame], origin[frame], rotation[frame])
+        for node in range(nodes.shape[1]):
+            for axis in range(3):
+                if not abs(nodes[frame, node, axis] - origin[frame, axis]) <= REACH:
+                    return frame
+                if not abs(rotation[frame, axis, 0]) <= 1.5:
+                    return frame
+    return len(nodes)
 
 
 def record(
@@ -65,10 +84,14 @@ def record(
 ) -> Recording:
     """Return `frames` frames of `stroke` from frame `begin` on; frame k follows SUBSTEPS (k + 1) substeps.
 
-    It starts from `state`, which is left as it is after the last frame; without one, from rest.
+    It starts from `state`, which is left as it is after the last frame; without one, from rest. Raise BlewUpError
+    where a node is not a number or leaves its body.
     """
     nodes = np.zeros((frames, *model.start.shape))
     made = Recording(nodes, np.zeros((frames, 3)), np.zeros((frames, 3, 3)))
     state = at_rest(model) if state is None else state
-    _run(model, stroke, begin, state, workspace(model), made.nodes, made.origin, made.rotation)
+    work = workspace(model)
+    sound = _run(model, stroke, begin, state, work, made.nodes, made.origin, made.rotation)
+    if sound < frames:
+        raise BlewUpError(begin + sound)
     return made

@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from components.clock import TICKS_PER_SECOND
-from components.segment import Pattern, Segment
+from components.segment import Pattern, Segment, heading_change
 from components.trigonometry import DEGREE
 from systems.motor.biomechanics import SUBSTEPS
 from systems.motor.contract import TURN_PULSE, Stroke
@@ -20,16 +20,32 @@ from systems.motor.muscle_model import BodyModel
 from tools.capture.bend import SHARP_LEAST, TURN_GAP, Bend, largest_joint, level_turn
 from tools.capture.cut import body_shape, cut, shape_gap
 from tools.capture.measure import turn_faults, turn_text
-from tools.capture.record import Recording, at_rest, record
+from tools.capture.phase import begun
+from tools.capture.record import BlewUpError, Recording, at_rest, record
 
-Found = tuple[Segment, str, list[str]]
-"""A segment, its figures and its faults."""
 
-GRADUAL: Final = 0.15
-"""Scale of the pulses of a gradual turn."""
+class Found(NamedTuple):
+    """A segment that was cut."""
+
+    segment: Segment
+    figures: str
+    "as one line for the provenance"
+    faults: list[str]
+    stroke: Stroke
+    "what the muscles do, counted from the first entry"
+
+
+GRADUAL_SCALE: Final = 0.15
+"""Scale of the pulses that a gradual turn is tried with ..."""
+
+GRADUAL_TURN: Final = 30.0 * DEGREE
+"""[rad] ... and what it should turn: the turn grows with the scale ..."""
+
+GRADUAL_RANGE: Final = (0.08, 0.32)
+"""... between these."""
 
 SHARP_SCALES: Final = (0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
-SHARP_PHASES: Final = 8
+SHARP_PHASES: Final = 16
 SHARP_END: Final = (54, 72)
 """Frames between which a sharp turn is cut: it takes 1.2 s at most."""
 
@@ -44,15 +60,23 @@ _PULSE_SECONDS: Final = max(float(p[1:].sum()) for p in TURN_PULSE)
 
 def gradual_turn(model: BodyModel, stroke: Stroke, first: int) -> Found:
     """Return a gradual left turn out of the cruise at frame `first`; it ends in the cruise's shape and phase."""
+    tried = heading_change(_gradual(model, stroke, first, GRADUAL_SCALE).segment)
+    least, most = GRADUAL_RANGE
+    scale = GRADUAL_SCALE * GRADUAL_TURN / tried if tried > 0.0 else most
+    return _gradual(model, stroke, first, min(max(scale, least), most))
+
+
+def _gradual(model: BodyModel, stroke: Stroke, first: int, scale: float) -> Found:
     period = stroke.period // SUBSTEPS
-    turning = turn_left(stroke, GRADUAL, first + 1)
+    turning = turn_left(stroke, scale, first + 1)
     recording = record(model, turning, first + _LONGEST_TURN * period + 1)
     beats = floor(_PULSE_SECONDS * TICKS_PER_SECOND / period) + 1
     while beats < _LONGEST_TURN and shape_gap(recording, first, first + beats * period) > TURN_GAP:
         beats += 1
     gap = shape_gap(recording, first, first + beats * period)
     segment = cut(recording, Pattern.TURN_LEFT, first, beats * period, False)
-    return segment, turn_text(segment, gap), turn_faults(segment, gap, TURN_GAP)
+    faults = turn_faults(segment, gap, TURN_GAP)
+    return Found(segment, turn_text(segment, gap), faults, begun(turning, first + 1))
 
 
 class _Try(NamedTuple):
@@ -61,31 +85,42 @@ class _Try(NamedTuple):
     recording: Recording
     length: int
     bend: Bend
+    stroke: Stroke
 
 
 def sharp_turn(model: BodyModel, stroke: Stroke, first: int) -> Found:
-    """Return the sharp left turn out of the cruise, one of whose beats begins at frame `first`."""
+    """Return the sharp left turn out of the cruise, one of whose beats begins at frame `first`.
+
+    Tries that blow up count for nothing. Raise BlewUpError where all do.
+    """
     tries = list(_tries(model, stroke, first))
+    if not tries:
+        raise BlewUpError(first)
     fit = [t for t in tries if t.bend.gap <= TURN_GAP and t.bend.joint <= SHARP_JOINT]
     best = max(fit, key=lambda t: t.bend.net) if fit else min(tries, key=lambda t: t.bend.joint)
     segment = cut(best.recording, Pattern.TURN_SHARP_LEFT, 0, best.length, False)
-    return segment, best.bend.text(segment), best.bend.faults(SHARP_LEAST, TURN_GAP)
+    faults = best.bend.faults(SHARP_LEAST, TURN_GAP)
+    return Found(segment, best.bend.text(segment), faults, best.stroke)
 
 
 def _tries(model: BodyModel, stroke: Stroke, first: int) -> Iterator[_Try]:
     period = stroke.period // SUBSTEPS
+    state, swum = at_rest(model), 0
     for phase in range(SHARP_PHASES):
         begin = first + phase * period // SHARP_PHASES
-        state = at_rest(model)
-        record(model, stroke, begin, state)
+        record(model, stroke, begin - swum, state, swum)
+        swum = begin
         beat = record(model, stroke, period, state.copy(), begin)
         for scale in SHARP_SCALES:
             turning = turn_left(stroke, scale, begin + 1)
-            recording = record(model, turning, SHARP_END[1] + 2, state.copy(), begin)
-            yield _cut_in_beat(recording, beat)
+            try:
+                recording = record(model, turning, SHARP_END[1] + 2, state.copy(), begin)
+            except BlewUpError:
+                continue
+            yield _cut_in_beat(recording, beat, begun(turning, begin + 1))
 
 
-def _cut_in_beat(recording: Recording, beat: Recording) -> _Try:
+def _cut_in_beat(recording: Recording, beat: Recording, stroke: Stroke) -> _Try:
     """Return a turn up to the frame whose shape is nearest to the beat's in its phase."""
     shapes = [body_shape(beat, k) for k in range(len(beat.nodes))]
     period = len(shapes)
@@ -96,4 +131,4 @@ def _cut_in_beat(recording: Recording, beat: Recording) -> _Try:
     length = SHARP_END[0] + gaps.index(min(gaps))
     net = level_turn(beat.rotation[length % period], recording.rotation[length])
     joint = largest_joint(recording.nodes[: length + 1])
-    return _Try(recording, length, Bend(net, joint, min(gaps)))
+    return _Try(recording, length, Bend(net, joint, min(gaps)), stroke)

@@ -158,7 +158,8 @@ class SpeciesFile(Strict):
     school: School
     body: BodyShape
     fins: Fins
-    swim: SwimStyle
+    swim: SwimStyle | None = None
+    """May be missing until `reefgame capture --tune` has found it; only then the species swims."""
     mind: Mind = Mind()
     skin: SkinLook
 

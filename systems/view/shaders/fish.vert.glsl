@@ -4,10 +4,10 @@ layout(location = 0) in float vertex;   // of the species' table
 layout(location = 1) in vec4 place;     // origin [m], w length [m]
 layout(location = 2) in vec4 turn;      // quaternion from body to world axes
 layout(location = 3) in vec4 shown;     // shape a tick ago, shape now, blend, weight of the warp's offset
-layout(location = 4) in vec4 warp;      // shape that the warp leaves, enters; species; phase of the paired fins [rad]
+layout(location = 4) in vec4 warp;      // shape that the warp leaves, enters; species + how far behind the left one; phase of the paired fins [rad]
 layout(location = 5) in vec4 shade;     // tint, w shine + 2 * how many of GAPES steps the mouth is open
 
-uniform sampler2D shapes;    // nodes [BL], 23 texels a shape, SHAPES_A_ROW shapes a row
+uniform sampler2D shapes;    // nodes [BL], w the shape that follows, 23 texels a shape, SHAPES_A_ROW shapes a row
 uniform sampler2D weights;   // 12 texels a vertex, VERTICES_A_ROW vertices a row
 uniform int vertices;        // of one species' table
 
@@ -43,9 +43,11 @@ ivec2 shape_at(float number) {
 vec3 turned(vec3 v) { return v + 2. * cross(turn.xyz, cross(turn.xyz, v) + turn.w * v); }
 
 void main() {
-    int index = int(warp.z + .5) * vertices + int(vertex + .5);
+    int index = int(warp.z) * vertices + int(vertex + .5);
     ivec2 at = ivec2(12 * (index % VERTICES_A_ROW), index / VERTICES_A_ROW);
     ivec2 last = shape_at(shown.x), now = shape_at(shown.y), from = shape_at(warp.x), to = shape_at(warp.y);
+    float part = fract(warp.z);
+    ivec2 beyond = part > 0. ? shape_at(texelFetch(shapes, from, 0).w) : from;
     vec3 sum = vec3(0.), along_u = vec3(0.), along_v = vec3(0.);
     int window = int(texelFetch(weights, at, 0).a + .5);
     int first = window % 32, count = window / 32;
@@ -55,8 +57,11 @@ void main() {
         vec3 weight = texelFetch(weights, at + ivec2(j, 0), 0).xyz;
         ivec2 step = ivec2(first + j, 0);
         vec3 node = mix(texelFetch(shapes, last + step, 0).xyz, texelFetch(shapes, now + step, 0).xyz, shown.z);
-        if (shown.w > 0.)
-            node += shown.w * (texelFetch(shapes, from + step, 0).xyz - texelFetch(shapes, to + step, 0).xyz);
+        if (shown.w > 0.) {
+            vec3 left = texelFetch(shapes, from + step, 0).xyz;
+            if (part > 0.) left = mix(left, texelFetch(shapes, beyond + step, 0).xyz, part);
+            node += shown.w * (left - texelFetch(shapes, to + step, 0).xyz);
+        }
         sum += weight.x * node;
         along_u += weight.y * node;
         along_v += weight.z * node;
@@ -74,7 +79,7 @@ void main() {
 #endif
     world = place.xyz + place.w * turned(sum);
     normal = turned(upright);
-    skin_layer = warp.z;
+    skin_layer = floor(warp.z);
     tint = vec4(shade.xyz, shade.w - 2. * steps);
     size = place.w;
     gl_Position = view_projection * vec4(world, 1.);

@@ -11,6 +11,9 @@ from components.camera import Camera, camera_at
 from components.fish import Population
 from systems.view.cull import CARD, GAPES, Culling, level_at, view_of
 
+AFTER = np.array([1, 2, 3, 4, 0, 6, 7, 5], np.int32)
+"""Rows that follow each other in two loops, 0 to 4 and 5 to 7."""
+
 
 def placed(positions: Float64s, length: float = 0.2) -> Population:
     """Return fishes at rest at the places given, facing along x."""
@@ -53,7 +56,7 @@ def test_every_fish_in_the_frustum_is_kept_and_every_one_behind_dropped(
     points = np.random.default_rng(seed).uniform(-8.0, 8.0, (60, 3))
     camera = camera_at(np.array([0.5, -1.0, -2.0]), yaw, pitch, slope)
     population = placed(points)
-    culling = Culling(np.zeros(1))
+    culling = Culling(np.zeros(1), AFTER)
     culling(population, view_of(camera, 720, aspect, 30.0), 1.0, 0.0)
     kept = drawn_ids(culling, population)
     assert set(np.flatnonzero(inside(camera, points, aspect)).tolist()) <= set(kept)
@@ -105,7 +108,7 @@ def test_records_blend_place_and_warp_between_ticks(ahead: Camera) -> None:
     motor.warp_from[0], motor.warp_to[0] = 3, 5
     motor.warp_weight[0], motor.last_warp_weight[0] = 0.4, 0.8
     fish.species[0] = 1
-    culling = Culling(np.array([0.1, 0.9]))
+    culling = Culling(np.array([0.1, 0.9]), AFTER)
     culling(population, view_of(ahead, 720, 1.5, 30.0), 0.25, 3.0)
     record = culling.records(0)[0]
     assert record[:4] == pytest.approx([0.85, 0.1, -5.0, 0.2])
@@ -117,11 +120,29 @@ def test_records_blend_place_and_warp_between_ticks(ahead: Camera) -> None:
 def test_a_record_says_how_wide_the_mouth_is_open_beside_the_shine(ahead: Camera) -> None:
     population = placed(np.array([[1.0, 0.1, -5.0]]))
     population.mind.gape[0] = 0.25
-    culling = Culling(np.array([0.9]))
+    culling = Culling(np.array([0.9]), AFTER)
     culling(population, view_of(ahead, 720, 1.5, 30.0), 1.0, 0.0)
     packed = float(culling.records(0)[0, 19])
     assert packed // 2 == GAPES / 4
     assert packed % 2 == pytest.approx(0.9, abs=1e-5)
+
+
+def test_records_of_a_fish_between_entries_hold_neighbouring_rows(ahead: Camera) -> None:
+    population = placed(np.array([[1.0, 0.1, -5.0]]))
+    motor = population.motor
+    motor.last_shape_row[0], motor.last_part[0] = 3, 0.75
+    motor.shape_row[0], motor.part[0] = 0, 0.25
+    motor.warp_from[0], motor.warp_part[0], motor.warp_to[0] = 7, 0.5, 2
+    population.fish.species[0] = 1
+    culling = Culling(np.zeros(2), AFTER)
+    for alpha, rows in ((0.0, (3, 4, 0.75)), (0.5, (4, 0, 0.5)), (1.0, (0, 1, 0.25))):
+        culling(population, view_of(ahead, 720, 1.5, 30.0), alpha, 3.0)
+        record = culling.records(0)[0]
+        assert record[8:11] == pytest.approx(rows)
+        assert record[12:15] == pytest.approx([7.0, 2.0, 1.5])
+    motor.warp_part[0] = np.nextafter(1.0, 0.0)
+    culling(population, view_of(ahead, 720, 1.5, 30.0), 1.0, 3.0)
+    assert int(culling.records(0)[0][14]) == 1
 
 
 def test_quaternions_turn_as_the_rotations_do(ahead: Camera) -> None:
@@ -131,7 +152,7 @@ def test_quaternions_turn_as_the_rotations_do(ahead: Camera) -> None:
     turns *= np.sign(np.linalg.det(turns))[:, None, None]
     population.fish.rotation[:40] = population.fish.last_rotation[:40] = turns
     population.fish.length[:40] = 0.2 + 0.001 * np.arange(40)
-    culling = Culling(np.zeros(1))
+    culling = Culling(np.zeros(1), AFTER)
     culling(population, view_of(ahead, 720, 1.5, 30.0), 0.5, 0.0)
     for record in culling.records(0):
         i = round((float(record[3]) - 0.2) / 0.001)
@@ -143,14 +164,14 @@ def test_quaternions_turn_as_the_rotations_do(ahead: Camera) -> None:
 
 def test_fishes_with_fins_come_from_the_farthest_to_the_nearest(ahead: Camera) -> None:
     points = np.column_stack((np.array([0.8, 0.5, 0.95, 0.65]), np.zeros(4), np.full(4, -5.0)))
-    culling = Culling(np.zeros(1))
+    culling = Culling(np.zeros(1), AFTER)
     culling(placed(points), view_of(ahead, 720, 1.5, 30.0), 1.0, 0.0)
     assert culling.records(0)[:, 0] == pytest.approx([0.95, 0.8, 0.65, 0.5])
 
 
 def test_room_grows_with_the_population(ahead: Camera) -> None:
     rng = np.random.default_rng(0)
-    culling = Culling(np.zeros(1))
+    culling = Culling(np.zeros(1), AFTER)
     for count in (3, 500, 40):
         places = rng.uniform(-1, 1, (count, 3)) + np.array([4.0, 0.0, -5.0])
         culling(placed(places), view_of(ahead, 720, 1.5, 30.0), 1.0, 0.0)

@@ -18,9 +18,10 @@ import numpy as np
 import pytest
 from pyglet import gl
 
-from components.arrays import Float32s, Float64s
+from components.arrays import Float32s, Float64s, Int32s, Int64s
 from components.camera import camera_at, camera_towards
 from components.fish import Population
+from components.motor import MotorTable
 from systems.motor.pose import pose
 from systems.view.cull import RECORD
 from systems.view.draw_fish import DrawFish, wrapped
@@ -106,6 +107,17 @@ def summed(table: Float32s, column: int, nodes: Float64s) -> Float64s:
     return result
 
 
+def _between_entries(motor: MotorTable, rows: Int64s, after: Int32s) -> None:
+    """Let the fishes play at rates of their own: half of them pass from a cycle's last entry to its first."""
+    rng = np.random.default_rng(12)
+    for column in (motor.part, motor.last_part, motor.warp_part):
+        column[rows] = rng.uniform(0.1, 0.9, len(rows))
+    wrapping = rows[::2]
+    motor.last_shape_row[wrapping] += 23 - motor.last_shape_row[wrapping] % 24
+    motor.warp_from[wrapping] = motor.last_shape_row[wrapping]
+    motor.shape_row[rows] = after[motor.last_shape_row[rows]]
+
+
 def wild(shoal: Any, count: int = 24) -> Population:
     """Return fishes anywhere, turned anyhow, between two shapes and in the middle of warps."""
     rng = np.random.default_rng(11)
@@ -132,6 +144,7 @@ def wild(shoal: Any, count: int = 24) -> Population:
         getattr(motor, name)[:count] = rows
     motor.warp_weight[:count] = rng.uniform(0, 1, count) * (np.arange(count) % 3 > 0)
     motor.last_warp_weight[:count] = motor.warp_weight[:count] * 1.1
+    _between_entries(motor, np.arange(0, count, 2), shoal.library.after)
     return population
 
 
