@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from components.mind import Intention, Why
+from reefgame import recordings
 from reefgame.explain import explain, reason_of
 from reefgame.replay import read_replay, verify
 from reefgame.world import World
@@ -173,3 +174,34 @@ def test_a_reason_names_its_numbers(player: Any, why: Why, value: float, expecte
     for every in Why:
         mind.why[row] = every
         assert reason_of(world, row)
+
+
+def test_a_replay_that_is_watched_is_inspected_too(player: Any) -> None:
+    from reefgame.screens.watch import WatchScreen
+
+    player.press("RETURN", "B")
+    player.wait(60)
+    player.press("ESCAPE", "UP", "RETURN")
+    (path,) = recordings.kept()
+    replay = read_replay(path)
+    player.game.stack.replace(lambda: WatchScreen(player.game, replay))
+    player.wait(40)
+    watch, world = player.screen, player.game.stage.world
+    assert world.avatar.attached
+    player.press("I", "RIGHT")
+    present = world.checksums()
+    player.press("HOME")
+    assert world.clock.now == 0
+    player.press("ESCAPE")
+    assert player.screen is watch
+    assert world.checksums() == present
+    player.wait(60)
+    assert world.clock.now == replay.ticks
+    assert world.checksums() == played(player, replay).checksums()
+
+
+def played(player: Any, replay: Any) -> World:
+    """Return a fresh world that has played the replay."""
+    world = World.build(player.game.load(player.game.chosen), replay.seed)
+    assert verify(replay, world) is None
+    return world
