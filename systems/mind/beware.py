@@ -25,7 +25,7 @@ from systems.mind.perceive import (
 from systems.mind.scene import Scene
 from systems.mind.sparse import LONGEST_RUN
 
-WAKE: Final = 1.0
+WAKE: Final = 2.0
 """Lengths of a hunter within which it is felt, as the water moves that it pushes on, out of sight or not."""
 
 LOOMS: Final = 3.0

@@ -19,7 +19,7 @@ from components.kernels import inlined, loop, row
 from components.mind import Intention
 from components.senses import SenseTable
 
-REACH: Final = 2.9
+REACH: Final = 2.5
 """Body lengths within which fishes tell their neighbours apart in a crowd: a dozen in a school."""
 
 PIECES: Final = 64

@@ -177,6 +177,28 @@ def gather(crowd: Crowd, number_of_runs: int, attention: Attention, piece: int) 
 
 
 @inlined
+def forget(distance: Float64s) -> None:
+    """Let nobody be near, (NEIGHBOURS,), before `keep`."""
+    for k in range(NEIGHBOURS):
+        distance[k] = NO_DANGER
+
+
+@inlined
+def keep(other: int, square: float, near: Int64s, distance: Float64s) -> None:
+    """Keep `other` if it is among the nearest, without a branch: of a dozen each may be (FINDINGS 5).
+
+    The first come of equals stays before.
+    """
+    for k in range(NEIGHBOURS):
+        before, there = distance[k], near[k]
+        nearer = square < before
+        distance[k] = square if nearer else before
+        near[k] = other if nearer else there
+        square = before if nearer else square
+        other = there if nearer else other
+
+
+@inlined
 def insert(other: int, square: float, near: Int64s, distance: Float64s, found: int) -> int:
     """Insert `other` among the nearest, (NEIGHBOURS,) each; return how many are kept. The first come stays."""
     if found == NEIGHBOURS and square >= distance[NEIGHBOURS - 1]:
@@ -241,6 +263,21 @@ def collision(crowd: Crowd, me: int, other: int) -> float:
 
 
 @inlined
+def nearest_of_kind(crowd: Crowd, me: int, many: int, attention: Attention, piece: int) -> int:
+    """List the nearest of one's species among the `many` seen, nearest first; return how many."""
+    near, distance = attention.near[piece], attention.distance[piece]
+    around, square, seen = attention.around[piece], attention.square[piece], attention.seen[piece]
+    found, kind = 0, crowd.species[me]
+    forget(distance)
+    for at in range(many):
+        k = np.int64(around[seen[at]])
+        if k != me and crowd.species[k] == kind:
+            keep(k, square[seen[at]], near, distance)
+            found += 1
+    return min(found, NEIGHBOURS)
+
+
+@inlined
 def watch(
     crowd: Crowd,
     me: int,
@@ -261,12 +298,14 @@ def watch(
     around, square, seen = attention.around[piece], attention.square[piece], attention.seen[piece]
     found, threat, soonest = 0, -1, NO_DANGER
     kind = crowd.species[me]
+    forget(distance)
     for at in range(many):
-        k = around[seen[at]]
+        k = np.int64(around[seen[at]])
         if k == me:
             continue
         if crowd.species[k] == kind:
-            found = insert(k, square[seen[at]], near, distance, found)
+            keep(k, square[seen[at]], near, distance)
+            found += 1
             if schooling:
                 continue
         if k == target or eats[crowd.species[k], kind] != 0:
@@ -274,7 +313,7 @@ def watch(
         when = collision(crowd, me, k)
         if when < soonest:
             threat, soonest = k, when
-    return found, threat, soonest
+    return min(found, NEIGHBOURS), threat, soonest
 
 
 @inlined

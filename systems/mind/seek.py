@@ -11,7 +11,6 @@ from components.arrays import Int32s, Int64s
 from components.chance import SEX, uniform
 from components.ground import Terrain
 from components.kernels import inlined, merged, row
-from components.mind import Intention
 from components.sightline import in_sight
 from components.trigonometry import arc
 from systems.mind.beware import can_swallow
@@ -38,13 +37,30 @@ READY: Final = 0.25
 _MOST_TESTED: Final = 1024
 _WIDEST: Final = 64
 _PI: Final = 3.141592653589793
-_SCHOOL: Final = int(Intention.SCHOOL)
+_COMPANY: Final = 4.0
+_BESIDE: Final = 4
 
 
 @row
 def is_male(seed: int, identity: int) -> bool:
     """Return the sex of a fish, drawn by its id."""
     return uniform(seed, SEX, 0, identity) < 0.5
+
+
+@row
+def in_company(crowd: Crowd, number: int, other: int) -> bool:
+    """Return whether one of the next in the crowd of `number` fishes is of its kind and within four of its lengths."""
+    limit = _COMPANY * crowd.length[other] * _COMPANY * crowd.length[other]
+    for k in range(max(other - _BESIDE, 0), min(other + _BESIDE + 1, number)):
+        if k != other and crowd.species[k] == crowd.species[other]:
+            dx, dy, dz = (
+                crowd.x[k] - crowd.x[other],
+                crowd.y[k] - crowd.y[other],
+                crowd.z[k] - crowd.z[other],
+            )
+            if dx * dx + dy * dy + dz * dz < limit:
+                return True
+    return False
 
 
 @inlined
@@ -82,7 +98,10 @@ def visible(terrain: Terrain, crowd: Crowd, me: int, other: int) -> bool:
 def _search(
     scene: Scene, me: int, taken: Int64s, mates: bool, attention: Attention, piece: int
 ) -> int:
-    """List the nearest prey, or mates, in view; return how many."""
+    """List the nearest prey, or mates, in view; return how many.
+
+    Prey in company counts as farther by 1 + b1, so that a straggler is not hidden behind its school.
+    """
     crowd, plan, senses = scene.crowd, scene.plan, scene.senses
     sought, distance = attention.sought[piece], attention.sought_distance[piece]
     x, y, z, length = crowd.x[me], crowd.y[me], crowd.z[me], crowd.length[me]
@@ -91,6 +110,7 @@ def _search(
     cx, cy = crowd.column[me] // plan.columns, crowd.column[me] % plan.columns
     male = is_male(scene.seed, crowd.id[me])
     found, tested, wide = 0, 0, 1
+    last = crowd.first[plan.columns * plan.columns]
     while True:
         found = tested = 0
         reach = min(plan.cell * wide, visibility)
@@ -119,6 +139,8 @@ def _search(
                         else _is_prey(scene, me, k, taken)
                     ):
                         continue
+                    if not mates and in_company(crowd, last, k):
+                        square *= (1.0 + SCHOOLED) * (1.0 + SCHOOLED)
                     if in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me]):
                         found = insert(k, square, sought, distance, found)
         enough = 1 if mates else NEIGHBOURS
@@ -129,8 +151,8 @@ def _search(
 
 
 @row
-def _cost(crowd: Crowd, me: int, other: int, far: float) -> float:
-    """Return d (1 + b1 S + b2 E / pi): what it takes to catch it; S = 1 in a school, E the angle to turn."""
+def _turning(crowd: Crowd, me: int, other: int, far: float) -> float:
+    """Return 1 + b2 E / pi: what it takes to turn to it, E being the angle."""
     dx, dy, dz = (
         crowd.x[other] - crowd.x[me],
         crowd.y[other] - crowd.y[me],
@@ -138,9 +160,7 @@ def _cost(crowd: Crowd, me: int, other: int, far: float) -> float:
     )
     along = (dx * crowd.hx[me] + dy * crowd.hy[me] + dz * crowd.hz[me]) / (far + 1e-9)
     along = min(max(along, -1.0), 1.0)
-    turn = arc(along, sqrt(1.0 - along * along))
-    schooled = SCHOOLED if crowd.intention[other] == _SCHOOL else 0.0
-    return far * (1.0 + schooled + TURN * turn / _PI)
+    return 1.0 + TURN * arc(along, sqrt(1.0 - along * along)) / _PI
 
 
 @row
@@ -151,15 +171,17 @@ def seek(
 
     `kept` is the place of the prey it is after, -1 for none: it stays with it unless another costs much less.
     """
-    crowd = scene.crowd
+    crowd, last = scene.crowd, scene.crowd.first[scene.plan.columns * scene.plan.columns]
     found = _search(scene, me, taken, mates, attention, piece)
     best, least, near = -1, 1e18, 1e18
     for k in range(found):
         other = attention.sought[piece, k]
         far = sqrt(attention.sought_distance[piece, k])
-        if not mates and crowd.intention[other] == _SCHOOL:
-            far /= 1.0 + SCHOOLED
-        cost = far if mates else _cost(crowd, me, other, far)
+        cost = far
+        if not mates:
+            if in_company(crowd, last, other):
+                far /= 1.0 + SCHOOLED
+            cost *= _turning(crowd, me, other, far)
         if other == kept:
             cost *= LOYALTY
         if cost < least and visible(scene.terrain, crowd, me, other):

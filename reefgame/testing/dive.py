@@ -1,13 +1,4 @@
-"""Gameplay tests for modders: play a level headless with a scripted pilot and look at what
-happened.
-
-    from reefgame.testing import play
-    from reefgame.autopilot import Photographer
-
-    def test_first_dive_can_be_won():
-        dive = play("first_dive", Photographer(), seconds=120)
-        assert dive.won
-"""
+"""A level played headless by a scripted pilot, and recorded."""
 
 import io
 from collections.abc import Sequence
