@@ -169,9 +169,7 @@ class Catalogue:
             raise ContentError(problems)
         return file.model_copy(update={"mind": file.mind.model_copy(update={"diet": diet})})
 
-    def _diet(
-        self, tree: Mapping, file: SpeciesFile
-    ) -> tuple[tuple[str, ...], list[Problem]]:
+    def _diet(self, tree: Mapping, file: SpeciesFile) -> tuple[tuple[str, ...], list[Problem]]:
         """Return the full names of what a species eats, each once, and which species there are not."""
         full: dict[str, None] = {}
         problems: list[Problem] = []

@@ -27,6 +27,12 @@ _TURN: Final = 6.283185307179586
 _ATTEMPTS: Final = 64
 _SCHOOL_FAN: Final = 0.5
 """[rad] spread of a school's first headings."""
+_LEAST_FED: Final = 0.6
+"""Appetites in the stomach of who comes with the least there; the most is one more."""
+_LONGEST_AGO: Final = 0.35
+"""Digestions since the last bite of who ate the longest ago."""
+_LONGEST_CHASTE: Final = 0.14
+"""Breeding times since the last mating of who mated the longest ago: some are ready where a mate is near."""
 _HIDING_PLACES: Final = 8
 _NEAR: Final = 2.5
 """[m] round the submarine in which nobody appears."""
@@ -171,15 +177,17 @@ class Spawn:
         self.remove(identity)
 
     def _set_appetite(self, at: int, identity: int, kind: Species) -> None:
-        """Let it have eaten some of its fill, and mated, some time ago."""
+        """Let it have eaten its fill, more or less, and mated, some time ago: three in ten come hungry."""
         seed, now, mind = int(self.clock.seed[0]), self.clock.now, self.population.mind
         ate, mated, fed = (
             chance.uniform(seed, stream, draw, identity)
             for stream, draw in ((chance.EATEN, 0), (chance.MATED, 0), (chance.EATEN, 1))
         )
-        mind.eaten[at] = fed * kind.temper.appetite
-        mind.ate_at[at] = now - int(ate * kind.temper.digestion * TICKS_PER_SECOND)
-        mind.mated_at[at] = now - int(mated * kind.temper.breeding * TICKS_PER_SECOND)
+        mind.eaten[at] = (_LEAST_FED + fed) * kind.temper.appetite
+        mind.ate_at[at] = now - int(_LONGEST_AGO * ate * kind.temper.digestion * TICKS_PER_SECOND)
+        mind.mated_at[at] = now - int(
+            _LONGEST_CHASTE * mated * kind.temper.breeding * TICKS_PER_SECOND
+        )
 
     def _set_moving(self, at: int, identity: int, species: int) -> None:
         motor, mind, library = self.population.motor, self.population.mind, self.library

@@ -146,7 +146,10 @@ def test_no_hand_over_makes_a_node_jump(wanted: int) -> None:
 
 
 def test_the_nearest_fishes_are_simulated_and_never_more() -> None:
-    world = _swum(live=12, ticks=3)
+    drill = _Drill(12)
+    world = drill.world
+    for _ in range(3):
+        drill.tick()
     fish, count = world.population.fish, world.population.count
     away = np.linalg.norm(fish.position[:count] - world.submarine.position[0], axis=1)
     nearest = set(fish.id[np.argsort(away)[:12]].tolist())
@@ -188,17 +191,16 @@ def test_a_simulated_fish_swims_as_a_replayed_one() -> None:
     """Speed, course and shape over a second, of fishes that both ways are asked the same."""
     ways = []
     for fishes in (0, 50):
-        world = _swum(live=fishes, ticks=10)
+        world = World.build(CONTENT, 1, fishes)
+        moving = [system for system in world.systems if isinstance(system, Move | Live)]
         rows = np.arange(world.population.count)
-        start = world.population.fish.position[rows].copy()
         order = np.argsort(world.population.fish.id[rows])
-        move = next(s for s in world.systems if isinstance(s, Move))
-        world.population.motor.steer[rows] = (0.0, 0.0, 0.005)
-        for _ in range(60):
-            move()
-            for system in world.systems:
-                if isinstance(system, Live):
-                    system()
+        for tick in range(70):
+            if tick == 10:
+                start = world.population.fish.position[rows].copy()
+                world.population.motor.steer[rows] = (0.0, 0.0, 0.005)
+            for system in moving:
+                system()
             world.clock.tick[0] += 1
         way = (world.population.fish.position[rows] - start)[order]
         ways.append(way / world.population.fish.length[rows][order, None])
