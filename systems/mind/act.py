@@ -174,6 +174,46 @@ def heed_worst(
 
 
 @merged
+def _court(
+    scene: Scene, me: int, minds: Minds, focus: int, high: float, out: Float64s
+) -> tuple[int, float, float]:
+    """Court the partner in focus, and keep account of the phases."""
+    crowd, i = scene.crowd, scene.crowd.row[me]
+    kind, identity = crowd.species[me], crowd.id[me]
+    partner = place_of(scene.places, crowd.place, focus)
+    answers = crowd.phase[partner] if crowd.courting[partner] == identity else NONE
+    gear, urgency, throttle, phase = mate(
+        crowd, me, partner, is_male(scene.seed, identity), minds.courtship[i],
+        minds.courtship_since[i], answers, scene.senses.speed[kind], scene.now, high, out,
+    )  # fmt: skip
+    if phase in (MATED, JILTED):
+        waited = 0 if phase == MATED else int(0.5 * scene.senses.breeding[kind])
+        minds.mated_at[i], phase = scene.now - waited, NONE
+    if phase != minds.courtship[i]:
+        minds.courtship[i], minds.courtship_since[i] = phase, scene.now
+    return gear, urgency, throttle
+
+
+@merged
+def _flee(
+    scene: Scene, me: int, attention: Attention, piece: int, seen: int, scare: float, number: float
+) -> tuple[int, float, float]:
+    """Flee from all predators seen and from the submarine: who does not school, to shelter."""
+    crowd, kind = scene.crowd, scene.crowd.species[me]
+    danger, shelter = attention.danger[piece], attention.shelter[piece]
+    sheltered = scene.senses.schooling[kind] == 0 and danger[6] > 0.0
+    if sheltered:
+        sheltered = find_shelter(
+            scene.terrain, kind, crowd.x[me], crowd.y[me], crowd.z[me], danger[0], danger[1],
+            _SHELTER_WITHIN, shelter,
+        )  # fmt: skip
+    return escape(
+        crowd, me, attention.hunters[piece], seen, attention.away[piece], scare, shelter, sheltered,
+        attention.shoal[piece], number, scene.seed, scene.now, attention.out[piece],
+    )  # fmt: skip
+
+
+@merged
 def act(
     scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, previous: int,
     found: int, number: float, other: int, when: float, seen: int, predator: int, scare: float,
@@ -221,28 +261,9 @@ def act(
             senses.nose[kind], senses.mouth[kind], minds.hunger[i], now, out,
         )  # fmt: skip
     elif intention == MATE:
-        partner = place_of(scene.places, crowd.place, focus)
-        answers = crowd.phase[partner] if crowd.courting[partner] == identity else NONE
-        gear, urgency, throttle, phase = mate(
-            crowd, me, partner, is_male(scene.seed, identity), minds.courtship[i],
-            minds.courtship_since[i], answers, speeds, now, high, out,
-        )  # fmt: skip
-        if phase in (MATED, JILTED):
-            waited = 0 if phase == MATED else int(0.5 * senses.breeding[kind])
-            minds.mated_at[i], phase = now - waited, NONE
-        if phase != minds.courtship[i]:
-            minds.courtship[i], minds.courtship_since[i] = phase, now
+        gear, urgency, throttle = _court(scene, me, minds, focus, high, out)
     elif intention == ESCAPE:
-        shelter = attention.shelter[piece]
-        sheltered = senses.schooling[kind] == 0 and danger[6] > 0.0
-        if sheltered:
-            sheltered = find_shelter(
-                terrain, kind, x, y, z, danger[0], danger[1], _SHELTER_WITHIN, shelter
-            )
-        gear, urgency, throttle = escape(
-            crowd, me, attention.hunters[piece], seen, away, scare, shelter, sheltered, shoal,
-            number, scene.seed, now, out,
-        )  # fmt: skip
+        gear, urgency, throttle = _flee(scene, me, attention, piece, seen, scare, number)
     elif intention == LEAVE:
         gear, urgency, throttle = leave(terrain, crowd, me, rise, low, high, out)
     elif focus == SUBMARINE:

@@ -270,7 +270,7 @@ def nearest_of_kind(crowd: Crowd, me: int, many: int, attention: Attention, piec
     found, kind = 0, crowd.species[me]
     forget(distance)
     for at in range(many):
-        k = np.int64(around[seen[at]])
+        k = int(around[seen[at]])
         if k != me and crowd.species[k] == kind:
             keep(k, square[seen[at]], near, distance)
             found += 1
@@ -300,7 +300,7 @@ def watch(
     kind = crowd.species[me]
     forget(distance)
     for at in range(many):
-        k = np.int64(around[seen[at]])
+        k = int(around[seen[at]])
         if k == me:
             continue
         if crowd.species[k] == kind:

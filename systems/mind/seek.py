@@ -64,6 +64,14 @@ def in_company(crowd: Crowd, number: int, other: int) -> bool:
 
 
 @inlined
+def _counted(crowd: Crowd, number: int, other: int, square: float) -> float:
+    """Return the squared distance [m^2] that prey counts as: (1 + b1 S)^2 as much in company."""
+    if in_company(crowd, number, other):
+        return square * (1.0 + SCHOOLED) * (1.0 + SCHOOLED)
+    return square
+
+
+@inlined
 def _is_prey(scene: Scene, me: int, other: int, taken: Int64s) -> bool:
     crowd = scene.crowd
     if scene.senses.eats[crowd.species[me], crowd.species[other]] == 0:
@@ -139,10 +147,9 @@ def _search(
                         else _is_prey(scene, me, k, taken)
                     ):
                         continue
-                    if not mates and in_company(crowd, last, k):
-                        square *= (1.0 + SCHOOLED) * (1.0 + SCHOOLED)
                     if in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me]):
-                        found = insert(k, square, sought, distance, found)
+                        counted = square if mates else _counted(crowd, last, k, square)
+                        found = insert(k, counted, sought, distance, found)
         enough = 1 if mates else NEIGHBOURS
         most = min(2.5 * sight, visibility)
         if found >= enough or tested > _MOST_TESTED or reach >= most or wide >= _WIDEST:

@@ -17,7 +17,7 @@ from components.kernels import inlined, row
 WANTED: Final = 48
 """How many, at most, lie in 27 cells on average, unless cells would get too narrow."""
 
-LONGEST_RUN: Final = 128
+LONGEST_RUN: Final = 512
 """Of a longer run every second, third, ... is perceived: a swarm costs no more than this."""
 
 _MOST_SIDE: Final = 64

@@ -6,7 +6,6 @@ blocks thinks at the latest after eight ticks. Nothing of what was perceived is 
 its reason.
 """
 
-from math import sqrt
 from typing import Final
 
 import numba
@@ -16,31 +15,15 @@ from components.arrays import Float64s, Int8s, Int32s
 from components.chance import WHIM, uniform
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
-from components.food import FoodTable, in_stomach
+from components.food import FoodTable
 from components.ground import Terrain
 from components.habitat import STILL, Habitat, daylight
 from components.index import Places
 from components.kernels import loop, merged, row
-from components.mind import FOOD, SUBMARINE, Role, Why
+from components.mind import SUBMARINE, Role, Why
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
-from systems.mind.act import NONE, act, heed_worst, liked_depth, place_of
-from systems.mind.behave.wander import is_curious, nearest_home
-from systems.mind.beware import fear_all, watch_hunters
-from systems.mind.feel import (
-    FOOD_FAR,
-    FOOD_NEAR,
-    MATE_FAR,
-    MATE_NEAR,
-    appetite,
-    desire,
-    fear_of_submarine,
-    hunger_of,
-    libido_of,
-    speed_of,
-    stimulus,
-    unease,
-)
+from systems.mind.act import NONE, act, heed_worst, place_of
 from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan
 from systems.mind.intend import (
     AFRAID,
@@ -50,123 +33,73 @@ from systems.mind.intend import (
     ESCAPE,
     MATE,
     OBEY,
-    RELENT,
     SCHOOL,
-    WANTING,
     WATCHFUL,
     Held,
     Percept,
     intend,
 )
+from systems.mind.notice import Dangers, notice
 from systems.mind.perceive import (
     NO_DANGER,
     Attention,
-    feel_ahead,
     find_runs,
     gather,
     make_attention,
-    meet_submarine,
-    reach_of,
-    see_around,
-    watch,
 )
 from systems.mind.scene import Minds, Scene, minds_of
-from systems.mind.seek import LOYALTY, SMELL, is_male, seek, smell_food, suits
-from systems.mind.shoal import see_shoal, sum_shoals
+from systems.mind.shoal import sum_shoals
 from systems.mind.sparse import Sparse, SparseGrid, find_sparse_runs
+from systems.mind.want import curiosity, habits, want
 
 LATEST_TICKS: Final = 8
 """[ticks] after which a fish thinks, whoever's turn it is."""
-
-SEARCH_EVERY: Final = 8
-"""[thoughts] on average between looks round for a mate where none is near."""
 
 _PLAYER: Final = int(Why.PLAYER)
 _CURIOSITY: Final = int(Why.CURIOSITY)
 _PREY: Final = int(Role.PREY)
 _PREDATOR: Final = int(Role.PREDATOR)
-_CURIOUS_PREDATOR: Final = 0.3
-_NOWHERE: Final = 0.5
-_LOSES_SIGHT: Final = 2.0
 
 
 @merged
-def _seek_food(
-    scene: Scene, me: int, minds: Minds, plain: float, target: int, attention: Attention, piece: int
-) -> tuple[int, float]:
-    """Return the focus that food or prey deserves, -1 for none, and its distance [m]. Prey goes before food."""
-    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    kind, x, y, z = crowd.species[me], crowd.x[me], crowd.y[me], crowd.z[me]
-    eager = minds.intention[i] == EAT or plain + 0.8 > WANTING
-    if not eager:
-        return -1, NO_DANGER
-    if senses.hunts[kind] != 0:
-        prey, far = seek(scene, me, target, minds.swallowed_by, False, attention, piece)
-        if prey >= 0:
-            return crowd.id[prey], far
-    if senses.grazes[kind] != 0 and scene.food.number > 0:
-        reach = min(SMELL * senses.sight[kind], scene.food.cell)
-        food, far = smell_food(scene.food, x, y, z, reach, attention.hunter_runs[piece])
-        kept = FOOD - minds.focus[i]
-        if food >= 0 and 0 <= kept < len(scene.there) and scene.there[kept] and kept != food:
-            place = scene.food_position
-            old = speed_of(place[kept, 0] - x, place[kept, 1] - y, place[kept, 2] - z)
-            if LOYALTY * old < far:
-                food, far = kept, old
-        if food >= 0:
-            return FOOD - food, far
-    return -1, NO_DANGER
+def _take_up(
+    scene: Scene, me: int, minds: Minds, intention: int, memory: int, threat: bool
+) -> None:
+    """Remember what begins, what is interrupted, and what courtship ends with it."""
+    i = scene.crowd.row[me]
+    previous = minds.intention[i]
+    if intention != previous or threat:
+        minds.since[i] = scene.now
+    if memory >= 0 and memory != minds.memory[i]:
+        minds.memory_focus[i] = minds.focus[i]
+    courts = intention == MATE or memory == MATE
+    begins = intention == MATE and previous != MATE and minds.courtship[i] == NONE
+    if begins or (not courts and minds.courtship[i] != NONE):
+        minds.courtship[i], minds.courtship_since[i] = NONE, scene.now
+    minds.intention[i], minds.memory[i] = intention, memory
 
 
 @merged
-def _seek_mate(
-    scene: Scene, me: int, minds: Minds, target: int, found: int, attention: Attention, piece: int
-) -> tuple[int, float]:
-    """Return the place of the partner, -1 for none, and its distance [m]: the old one first, then who is near."""
-    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    male = is_male(scene.seed, crowd.id[me])
-    if minds.intention[i] == MATE and target >= 0 and suits(crowd, scene.seed, me, target, male):
-        far = speed_of(
-            crowd.x[target] - crowd.x[me],
-            crowd.y[target] - crowd.y[me],
-            crowd.z[target] - crowd.z[me],
-        )
-        if far < _LOSES_SIGHT * senses.sight[crowd.species[me]]:
-            return target, far
-    for k in range(found):
-        other = attention.near[piece, k]
-        if suits(crowd, scene.seed, me, other, male):
-            return other, sqrt(attention.distance[piece, k])
-    if senses.schooling[crowd.species[me]] != 0:
-        return -1, NO_DANGER
-    if (scene.now // 4 + crowd.id[me]) % SEARCH_EVERY != 0:
-        return -1, NO_DANGER
-    return seek(scene, me, -1, minds.swallowed_by, True, attention, piece)
-
-
-@row
-def suit(
-    habitat: Habitat, day: float, z: float, bright: int, warm: int, low: float, high: float
-) -> tuple[float, float]:
-    """Return unease and where to go, as `unease`; none where the liked depth, `low` to `high` [m], ends there."""
-    much, way = unease(habitat, day, z, bright, warm)
-    if (high - z if way > 0.0 else z - low) < _NOWHERE:
-        much = 0.0
-    return much, way
-
-
-@row
-def curiosity(
-    role: int, chance: float, sight: float, visibility: float, away: Float64s, seed: int, now: int,
-    identity: int,
-) -> float:  # fmt: skip
-    """Return the distance [m] to the submarine, `away`, that a fish comes to look at, else 0."""
-    far = speed_of(away[0], away[1], away[2])
-    if role == _PREY or far > min(2.0 * sight, visibility):
-        return 0.0
-    if role == _PREDATOR:
-        chance = _CURIOUS_PREDATOR
-    return far if is_curious(seed, now, identity, chance) else 0.0
+def _attend(
+    crowd: Crowd, intention: int, why: int, d: Dangers, meal: int, mate: int, nearest: int
+) -> int:
+    """Return the focus that passes: what the intention is about."""
+    if intention == EAT:
+        return meal
+    if intention == MATE:
+        return int(crowd.id[mate])
+    if intention == SCHOOL and d.found > 0:
+        return int(crowd.id[nearest])
+    if intention == ESCAPE and d.predator >= 0 and d.danger > d.scare:
+        return int(crowd.id[d.predator])
+    if intention == AVOID_FISH and d.when < NO_DANGER and d.when <= d.meets:
+        return int(crowd.id[d.other])
+    submarine = (
+        why == _CURIOSITY
+        or (intention == ESCAPE and d.scare > 0.0)
+        or (intention == AVOID_FISH and d.meets < d.when)
+    )
+    return SUBMARINE if submarine else -1
 
 
 @merged
@@ -181,115 +114,46 @@ def think_one(
 ) -> None:
     """Perceive, feel, intend and behave for the fish at place `me` of the crowd."""
     crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    kind, length = crowd.species[me], crowd.length[me]
-    schooling, role = senses.schooling[kind] != 0, senses.role[kind]
+    kind, role = crowd.species[me], senses.role[crowd.species[me]]
     timid = role == _PREY or (role != _PREDATOR and senses.hunted[kind] != 0)
-    previous = minds.intention[i]
-    target = place_of(scene.places, crowd.place, minds.focus[i]) if previous in (EAT, MATE) else -1
-    reach = reach_of(scene.plan, senses.sight[kind], length)
-    many = see_around(crowd, me, reach, around, attention, piece)
-    found, other, when = watch(crowd, me, schooling, target, senses.eats, many, attention, piece)
-    number = 0.0
-    if schooling:
-        far = min(2.0 * senses.sight[kind], scene.habitat.visibility)
-        number = see_shoal(scene.plan, crowd, me, far, attention.shoal[piece])
-    seen, predator, fear, danger = 0, -1, 0.0, 0.0
-    if hunter_runs > 0:
-        seen, big, soon = watch_hunters(scene, me, target, hunter_runs, attention, piece)
-        if soon < when:
-            other, when = big, soon
-        fear, danger, predator, seen = fear_all(
-            scene, me, seen, attention.hunters[piece], attention.hunter_distance[piece]
-        )
-    alarm = 0.8 * length + 0.2
-    obstacle = feel_ahead(scene.terrain, crowd, me, 1.5 * alarm, attention.normal[piece]) / alarm
-    away, scare = attention.away[piece], 0.0
-    meets = meet_submarine(
-        crowd, me, scene.submarine, scene.submarine_velocity, scene.submarines, away
-    )
-    if timid and role == _PREY and scene.submarines > 0:
-        v = scene.submarine_velocity
-        scare = fear_of_submarine(
-            senses.wariness[kind], speed_of(v[0, 0], v[0, 1], v[0, 2]),
-            speed_of(away[0], away[1], away[2]),
-        )  # fmt: skip
-    fear, danger = min(fear + scare, 1.0), max(danger, scare)
-    threat = min(when, meets) < NO_DANGER
-    near = obstacle < (WATCHFUL if previous == AVOID_OBSTACLE else 1.0)
-    urgent = near or threat or (timid and fear > AFRAID)
-
-    stomach = in_stomach(minds.eaten[i], minds.ate_at[i], scene.now, senses.digestion[kind])
-    plain = appetite(stomach, senses.appetite[kind])
-    meal, meal_far, mate, mate_far = -1, NO_DANGER, -1, NO_DANGER
-    if not urgent:
-        meal, meal_far = _seek_food(scene, me, minds, plain, target, attention, piece)
-    tempted = stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR)
-    hunger = hunger_of(plain, tempted)
-    wish = 0.0
-    if role != _PREDATOR:
-        wish = desire(
-            float(scene.now - minds.mated_at[i]), senses.breeding[kind], hunger_of(plain, 0.0)
-        )
-    if not urgent and libido_of(wish, 1.0) > WANTING * RELENT:
-        mate, mate_far = _seek_mate(scene, me, minds, target, found, attention, piece)
-    libido = libido_of(wish, stimulus(length / (mate_far + 1e-9), MATE_FAR, MATE_NEAR))
-    much, rise, curious = 0.0, 0.0, 0.0
-    minds_habitat = senses.bright[kind] != 0 or senses.warm[kind] != 0
-    if minds_habitat and nearest_home(scene.terrain, kind, crowd.x[me], crowd.y[me]) < 0:
-        low, high = liked_depth(
-            scene.terrain, crowd.x[me], crowd.y[me], length, senses.deep[kind], senses.shallow[kind]
-        )
-        much, rise = suit(
-            scene.habitat, scene.day, crowd.z[me], senses.bright[kind], senses.warm[kind], low, high
-        )
+    previous, away = minds.intention[i], attention.away[piece]
+    target = -1
+    if previous in (EAT, MATE):
+        target = place_of(scene.places, crowd.place, minds.focus[i])
+    d = notice(scene, me, target, around, hunter_runs, attention, piece)
+    threat = min(d.when, d.meets) < NO_DANGER
+    blocked = d.obstacle < (WATCHFUL if previous == AVOID_OBSTACLE else 1.0)
+    urgent = blocked or threat or (timid and d.fear > AFRAID)
+    meal, mate = want(scene, me, minds, target, urgent, d.found, attention, piece)
+    minds.fear[i], minds.danger[i], minds.thought_at[i] = d.fear, d.danger, scene.now
+    if previous == OBEY:
+        minds.why[i], minds.why_value[i] = _PLAYER, 0.0
+        return
+    much, rise = habits(scene, me)
+    curious = 0.0
     if scene.submarines > 0:
         curious = curiosity(
             role, senses.curiosity[kind], senses.sight[kind], scene.habitat.visibility, away,
             scene.seed, scene.now, crowd.id[me],
         )  # fmt: skip
-    minds.hunger[i], minds.libido[i], minds.fear[i] = hunger, libido, fear
-    minds.danger[i], minds.thought_at[i] = danger, scene.now
-    heed_worst(crowd, me, predator, scare, away, scene.submarine_velocity, attention.danger[piece])
-    if previous == OBEY:
-        minds.why[i], minds.why_value[i] = _PLAYER, 0.0
-        return
-    company = found + (1 if number > 0.0 else 0) if schooling else 0
-    held = Held(previous, minds.why[i], minds.since[i], minds.memory[i])
+    company = d.found + int(d.number > 0.0) if senses.schooling[kind] != 0 else 0
     percept = Percept(
-        obstacle, min(when, meets), threat, timid, fear, danger, company, hunger, libido,
-        meal != -1, mate >= 0, role == _PREDATOR, minds.focus[i] >= 0, much,
-        curious,
+        d.obstacle, min(d.when, d.meets), threat, timid, d.fear, d.danger, company,
+        minds.hunger[i], minds.libido[i], meal != -1, mate >= 0, role == _PREDATOR,
+        minds.focus[i] >= 0, much, curious,
         uniform(scene.seed, WHIM, scene.now, crowd.id[me]) < 0.5,
     )  # fmt: skip
+    held = Held(previous, minds.why[i], minds.since[i], minds.memory[i])
     intention, why, value, memory = intend(scene.now, held, percept)
-    if intention != previous or threat:
-        minds.since[i] = scene.now
-    if memory >= 0 and memory != minds.memory[i]:
-        minds.memory_focus[i] = minds.focus[i]
-    if intention == MATE or memory == MATE:
-        if intention == MATE and previous != MATE and minds.courtship[i] == NONE:
-            minds.courtship_since[i] = scene.now
-    elif minds.courtship[i] != NONE:
-        minds.courtship[i], minds.courtship_since[i] = NONE, scene.now
-    minds.intention[i], minds.why[i], minds.why_value[i] = intention, why, value
-    minds.memory[i] = memory
-    focus = -1
-    if intention == EAT:
-        focus = meal
-    elif intention == MATE:
-        focus = crowd.id[mate]
-    elif intention == SCHOOL and found > 0:
-        focus = crowd.id[attention.near[piece, 0]]
-    elif intention == ESCAPE and (predator >= 0 or scare > 0.0):
-        focus = crowd.id[predator] if predator >= 0 and danger > scare else SUBMARINE
-    elif intention == AVOID_FISH and threat:
-        focus = SUBMARINE if meets < when else crowd.id[other]
-    elif why == _CURIOSITY:
-        focus = SUBMARINE
-    minds.focus[i] = focus
+    _take_up(scene, me, minds, intention, memory, threat)
+    minds.why[i], minds.why_value[i] = why, value
+    nearest = attention.near[piece, 0]
+    minds.focus[i] = _attend(crowd, intention, why, d, meal, mate, nearest)
+    velocity = scene.submarine_velocity
+    heed_worst(crowd, me, d.predator, d.scare, away, velocity, attention.danger[piece])
     act(
-        scene, me, minds, attention, piece, previous, found, number, other, min(when, meets), seen,
-        predator, scare, obstacle, rise,
+        scene, me, minds, attention, piece, previous, d.found, d.number, d.other,
+        min(d.when, d.meets), d.seen, d.predator, d.scare, d.obstacle, rise,
     )  # fmt: skip
 
 

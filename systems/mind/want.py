@@ -1,0 +1,161 @@
+"""Wanting: hunger and libido with what feeds them in sight, unease, and curiosity (papers/004; FINDINGS 2)."""
+
+from math import sqrt
+from typing import Final
+
+from components.arrays import Float64s
+from components.food import in_stomach
+from components.habitat import Habitat
+from components.kernels import merged, row
+from components.mind import FOOD, Role
+from systems.mind.act import liked_depth
+from systems.mind.behave.wander import is_curious, nearest_home
+from systems.mind.feel import (
+    APPETISING,
+    FOOD_FAR,
+    FOOD_NEAR,
+    MATE_FAR,
+    MATE_NEAR,
+    appetite,
+    desire,
+    hunger_of,
+    libido_of,
+    speed_of,
+    stimulus,
+    unease,
+)
+from systems.mind.intend import EAT, MATE, RELENT, WANTING
+from systems.mind.perceive import NO_DANGER, Attention
+from systems.mind.scene import Minds, Scene
+from systems.mind.seek import LOYALTY, SMELL, is_male, seek, smell_food, suits
+
+SEARCH_EVERY: Final = 8
+"""[thoughts] on average between looks round for a mate where none is near."""
+
+_PREY: Final = int(Role.PREY)
+_PREDATOR: Final = int(Role.PREDATOR)
+_CURIOUS_PREDATOR: Final = 0.3
+_NOWHERE: Final = 0.5
+_LOSES_SIGHT: Final = 2.0
+
+
+@merged
+def _seek_food(
+    scene: Scene, me: int, minds: Minds, plain: float, target: int, attention: Attention, piece: int
+) -> tuple[int, float]:
+    """Return the focus that food or prey deserves, -1 for none, and its distance [m]. Prey goes before food."""
+    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
+    kind, x, y, z = crowd.species[me], crowd.x[me], crowd.y[me], crowd.z[me]
+    eager = minds.intention[i] == EAT or plain + APPETISING > WANTING
+    if not eager:
+        return -1, NO_DANGER
+    if senses.hunts[kind] != 0:
+        prey, far = seek(scene, me, target, minds.swallowed_by, False, attention, piece)
+        if prey >= 0:
+            return crowd.id[prey], far
+    if senses.grazes[kind] != 0 and scene.food.number > 0:
+        reach = min(SMELL * senses.sight[kind], scene.food.cell)
+        food, far = smell_food(scene.food, x, y, z, reach, attention.hunter_runs[piece])
+        kept = FOOD - minds.focus[i]
+        if food >= 0 and 0 <= kept < len(scene.there) and scene.there[kept] and kept != food:
+            place = scene.food_position
+            old = speed_of(place[kept, 0] - x, place[kept, 1] - y, place[kept, 2] - z)
+            if LOYALTY * old < far:
+                food, far = kept, old
+        if food >= 0:
+            return FOOD - food, far
+    return -1, NO_DANGER
+
+
+@merged
+def _seek_mate(
+    scene: Scene, me: int, minds: Minds, target: int, found: int, attention: Attention, piece: int
+) -> tuple[int, float]:
+    """Return the place of the partner, -1 for none, and its distance [m]: the old one first, then who is near."""
+    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
+    male = is_male(scene.seed, crowd.id[me])
+    if minds.intention[i] == MATE and target >= 0 and suits(crowd, scene.seed, me, target, male):
+        far = speed_of(
+            crowd.x[target] - crowd.x[me],
+            crowd.y[target] - crowd.y[me],
+            crowd.z[target] - crowd.z[me],
+        )
+        if far < _LOSES_SIGHT * senses.sight[crowd.species[me]]:
+            return target, far
+    for k in range(found):
+        other = attention.near[piece, k]
+        if suits(crowd, scene.seed, me, other, male):
+            return other, sqrt(attention.distance[piece, k])
+    if senses.schooling[crowd.species[me]] != 0:
+        return -1, NO_DANGER
+    if (scene.now // 4 + crowd.id[me]) % SEARCH_EVERY != 0:
+        return -1, NO_DANGER
+    return seek(scene, me, -1, minds.swallowed_by, True, attention, piece)
+
+
+@row
+def suit(
+    habitat: Habitat, day: float, z: float, bright: int, warm: int, low: float, high: float
+) -> tuple[float, float]:
+    """Return unease and where to go, as `unease`; none where the liked depth, `low` to `high` [m], ends there."""
+    much, way = unease(habitat, day, z, bright, warm)
+    if (high - z if way > 0.0 else z - low) < _NOWHERE:
+        much = 0.0
+    return much, way
+
+
+@row
+def curiosity(
+    role: int, chance: float, sight: float, visibility: float, away: Float64s, seed: int, now: int,
+    identity: int,
+) -> float:  # fmt: skip
+    """Return the distance [m] to the submarine, `away`, that a fish comes to look at, else 0."""
+    far = speed_of(away[0], away[1], away[2])
+    if role == _PREY or far > min(2.0 * sight, visibility):
+        return 0.0
+    if role == _PREDATOR:
+        chance = _CURIOUS_PREDATOR
+    return far if is_curious(seed, now, identity, chance) else 0.0
+
+
+@merged
+def habits(scene: Scene, me: int) -> tuple[float, float]:
+    """Return unease and where to go; none for who has no such habit, or a home point."""
+    crowd, senses, kind = scene.crowd, scene.senses, scene.crowd.species[me]
+    x, y = crowd.x[me], crowd.y[me]
+    if senses.bright[kind] == 0 and senses.warm[kind] == 0:
+        return 0.0, 0.0
+    if nearest_home(scene.terrain, kind, x, y) >= 0:
+        return 0.0, 0.0
+    low, high = liked_depth(
+        scene.terrain, x, y, crowd.length[me], senses.deep[kind], senses.shallow[kind]
+    )
+    return suit(
+        scene.habitat, scene.day, crowd.z[me], senses.bright[kind], senses.warm[kind], low, high
+    )
+
+
+@merged
+def want(
+    scene: Scene, me: int, minds: Minds, target: int, urgent: bool, found: int,
+    attention: Attention, piece: int,
+) -> tuple[int, int]:  # fmt: skip
+    """Feel hunger and libido; return the focus of a meal and the place of a mate, -1 for none.
+
+    Who is in danger looks for neither.
+    """
+    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
+    kind, length = crowd.species[me], crowd.length[me]
+    stomach = in_stomach(minds.eaten[i], minds.ate_at[i], scene.now, senses.digestion[kind])
+    plain = appetite(stomach, senses.appetite[kind])
+    meal, meal_far, mate, mate_far, wish = -1, NO_DANGER, -1, NO_DANGER, 0.0
+    if not urgent:
+        meal, meal_far = _seek_food(scene, me, minds, plain, target, attention, piece)
+    if senses.role[kind] != _PREDATOR:
+        waited = float(scene.now - minds.mated_at[i])
+        wish = desire(waited, senses.breeding[kind], hunger_of(plain, 0.0))
+    if not urgent and libido_of(wish, 1.0) > WANTING * RELENT:
+        mate, mate_far = _seek_mate(scene, me, minds, target, found, attention, piece)
+    minds.hunger[i] = hunger_of(plain, stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR))
+    minds.libido[i] = libido_of(wish, stimulus(length / (mate_far + 1e-9), MATE_FAR, MATE_NEAR))
+    return meal, mate
