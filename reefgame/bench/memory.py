@@ -75,6 +75,11 @@ def measure() -> Iterator[Case]:
     yield Case("part=growth ticks=20000", _child(_GROWTH), "MiB", bound="no growth")
 
 
+def peak_of(program: str) -> float:
+    """Return the peak resident memory [MiB] of a process that runs `program`."""
+    return _child(f"{_PEAK}{program}\nprint(json.dumps(peak()))\n")
+
+
 def _child(program: str) -> float:
     done = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True

@@ -10,14 +10,23 @@ from math import cos, sin, sqrt
 from time import perf_counter
 from typing import Final
 
+import numba
 import numpy as np
 
-from components.clock import TICK_SECONDS, TICKS_PER_SECOND
+from components.arrays import Float64s
+from components.clock import TICK_SECONDS, TICKS_PER_SECOND, Clock
 from components.mind import Role
-from reefgame.bench.case import Case
+from components.senses import SenseTable
+from reefgame.bench.case import Case, in_turn
+from reefgame.bench.memory import peak_of
 from reefgame.content import load
 from reefgame.content.schema.level import Bounds, RockPlace
+from reefgame.schedule import System
 from reefgame.world import World
+from systems.mind.bare import BareSchooling
+from systems.mind.grid import REACH, Plan
+from systems.mind.think import Think
+from tools.peers.ckdtree_schooling import schooling_step
 
 CLUMP: Final = 100
 """Fishes of one species that appear together."""
@@ -31,7 +40,13 @@ GOLDEN: Final = 2.399963
 _SHARES: Final = {Role.PREY: 0.7, Role.PREDATOR: 0.01}
 _BOUNDS: Final = {10_000: 8.0, 50_000: 1.5, 100_000: 0.8}
 _WARM_TICKS: Final = 3 * TICKS_PER_SECOND
-_ROUNDS: Final = 5
+_TREE_ROUNDS: Final = 5
+_LIVED: Final = """
+from reefgame.bench.minds import reef
+world = reef(FISHES)
+for _ in range(130):
+    world.tick()
+"""
 
 
 def reef(fishes: int, seed: int = 1) -> World:
@@ -90,27 +105,140 @@ def _clumps(numbers: np.ndarray[tuple[int], np.dtype[np.int64]]) -> list[tuple[i
 
 def measure() -> Iterator[Case]:
     """Yield the bench's cases."""
+    yield from _against_tree()
+    yield from _parts()
     for fishes, least in _BOUNDS.items():
-        world = reef(fishes)
-        for _ in range(_WARM_TICKS):
-            world.tick()
-        tick = _tick_seconds(world)
-        yield Case(
-            f"part=full fishes={fishes}",
-            tick * 1e3,
-            "ms a tick",
-            TICK_SECONDS * 1e3,
-            TICK_SECONDS / tick,
-            f"ratio >= {least:g}",
+        world = _lived(fishes)
+        tick = in_turn((lambda world=world: _second(world.systems, world.clock),))[0]
+        yield _over_real(
+            f"part=full fishes={fishes}", tick / TICKS_PER_SECOND, f"ratio >= {least:g}"
         )
+        del world
+    yield _memory()
 
 
-def _tick_seconds(world: World) -> float:
-    """Return the median over seconds of play of the mean seconds of a tick."""
-    times = []
-    for _ in range(_ROUNDS):
-        start = perf_counter()
-        for _ in range(TICKS_PER_SECOND):
-            world.tick()
-        times.append((perf_counter() - start) / TICKS_PER_SECOND)
-    return float(np.median(times))
+def _lived(fishes: int) -> World:
+    """Return the scene after some seconds, when schools have settled."""
+    world = reef(fishes)
+    for _ in range(_WARM_TICKS):
+        world.tick()
+    return world
+
+
+def _second(systems: tuple[System, ...], clock: Clock) -> None:
+    """Let a second of play pass."""
+    for _ in range(TICKS_PER_SECOND):
+        for system in systems:
+            system()
+        clock.tick[0] += 1
+
+
+def _over_real(case: str, tick: float, bound: str = "") -> Case:
+    return Case(case, tick * 1e3, "ms a tick", TICK_SECONDS * 1e3, TICK_SECONDS / tick, bound)
+
+
+def _everyone(world: World) -> SenseTable:
+    """Return senses with which every species schools."""
+    return world.senses._replace(schooling=np.ones_like(world.senses.schooling))
+
+
+def _against_tree() -> Iterator[Case]:
+    """Yield bare schooling, every fish each tick on one thread, against scipy's k-d tree."""
+    threads = numba.get_num_threads()
+    numba.set_num_threads(1)
+    for fishes in (1000, 10_000, 100_000):
+        world = _lived(fishes)
+        fish = world.population.fish
+        bare = BareSchooling(
+            world.population, _everyone(world), world.terrain, world.clock, every=1
+        )
+        bare()
+        place, course = fish.live("position").copy(), fish.live("rotation")[:, :, 0].copy()
+        length, kind = fish.live("length"), fish.live("species").copy()
+        spacing = world.senses.spacing[kind] * length
+        radius = REACH * world.senses.length
+        all_school = np.ones(len(radius), np.bool_)
+        ours, theirs = in_turn(
+            (bare, lambda: schooling_step(place, course, kind, radius, spacing, all_school)),
+            _TREE_ROUNDS,
+        )
+        case = f"part=schooling against=ckdtree fishes={fishes} threads=1"
+        share, bound = 1e9 / fishes, "ratio >= 8"
+        yield Case(case, ours * share, "ns a mind", theirs * share, theirs / ours, bound)
+        pairs = tested_pairs(bare.grid.plan, place)
+        yield Case(f"part=pairs fishes={fishes} threads=1", ours * 1e9 / pairs, "ns a tested pair")
+        del world, bare
+    numba.set_num_threads(threads)
+
+
+def tested_pairs(plan: Plan, position: Float64s) -> int:
+    """Return how many distances a look around every fish's cell tests: who is in the 27 cells around it."""
+    cells = np.floor(
+        (position + (plan.extent, plan.extent, 0.0)) / (plan.cell, plan.cell, -plan.cell)
+    )
+    most = (plan.columns - 1, plan.columns - 1, plan.layers - 1)
+    cells = np.clip(cells.astype(np.int64), 0, most)
+    flat = (cells[:, 0] * plan.columns + cells[:, 1]) * plan.layers + cells[:, 2]
+    known, many = np.unique(flat, return_counts=True)
+    total = 0
+    for dx, dy, dz in np.ndindex(3, 3, 3):
+        other = cells + (dx - 1, dy - 1, dz - 1)
+        inside = ((other >= 0) & (other <= most)).all(axis=1)
+        key = (other[:, 0] * plan.columns + other[:, 1]) * plan.layers + other[:, 2]
+        at = np.minimum(np.searchsorted(known, key), len(known) - 1)
+        total += int(many[at][inside & (known[at] == key)].sum())
+    return total
+
+
+def _parts() -> Iterator[Case]:
+    """Yield whole minds against bare schooling with the same motion, one thread against two, and where the time goes."""
+    threads = numba.get_num_threads()
+    full, bare = _lived(10_000), _lived(10_000)
+    schooling = BareSchooling(bare.population, _everyone(bare), bare.terrain, bare.clock)
+    simple = tuple(schooling if isinstance(s, Think) else s for s in bare.systems)
+
+    def whole(threads: int) -> None:
+        numba.set_num_threads(threads)
+        _second(full.systems, full.clock)
+
+    def plain() -> None:
+        numba.set_num_threads(1)
+        _second(simple, bare.clock)
+
+    one, school, both = (
+        seconds / TICKS_PER_SECOND
+        for seconds in in_turn((lambda: whole(1), plain, lambda: whole(threads)))
+    )
+    scene = "fishes=10000"
+    yield Case(
+        f"part=full against=schooling {scene} threads=1",
+        *(one * 1e3, "ms a tick", school * 1e3, one / school, "ratio <= 1.8"),
+    )
+    yield Case(
+        f"part=full {scene} threads={threads} against=1 thread",
+        *(both * 1e3, "ms a tick", one * 1e3, one / both, "ratio >= 1.6"),
+    )
+    numba.set_num_threads(1)
+    for system, seconds in _each(full).items():
+        yield Case(f"part={system} {scene} threads=1", seconds * 1e9 / 10_000, "ns a fish and tick")
+    numba.set_num_threads(threads)
+
+
+def _each(world: World) -> dict[str, float]:
+    """Return the mean seconds that each system takes of a tick, over a second of play."""
+    taken: dict[str, float] = {}
+    for _ in range(TICKS_PER_SECOND):
+        for system in world.systems:
+            start = perf_counter()
+            system()
+            name = type(system).__name__.lower()
+            taken[name] = taken.get(name, 0.0) + perf_counter() - start
+        world.clock.tick[0] += 1
+    return {name: seconds / TICKS_PER_SECOND for name, seconds in taken.items()}
+
+
+def _memory() -> Case:
+    """Return what 100,000 fishes take over an empty world, whole processes measured."""
+    empty, full = (peak_of(_LIVED.replace("FISHES", str(fishes))) for fishes in (9, 100_000))
+    a_fish = (full - empty) * 2**20 / 100_000
+    return Case("memory fishes=100000", a_fish, "B a fish", bound="<= 1500")
