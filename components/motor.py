@@ -15,11 +15,11 @@ from components.arrays import Float64s, Int8s, Int32s
 from components.kernels import inlined
 from components.table import Table, column
 
-RATES: Final = (0.7, 1.5)
+RATES: Final = (0.66, 1.5)
 """Slowest and fastest that a swim is played, entries a tick. The beat's frequency and the speed change alike, so stride
-and Strouhal number stay as captured. In our nine species frequencies of neighbouring gears differ by 1.52 to 1.67: a
-rate between .7 and 1.5 never beats a gear more slowly than the one below was captured, or faster than the one above.
-Speeds differ by 1.44 to 2.08, and 1.5 / .7 is 2.14: from .7 of the slow swim to 1.5 of the fast no speed is left out.
+and Strouhal number stay as captured. In our nine species frequencies of neighbouring gears differ by 1.56 to 1.69: a
+rate between .66 and 1.5 never beats a gear more slowly than the one below was captured, or faster than the one above.
+Speeds differ by 1.36 to 2.2, and 1.5 / .66 is 2.27: from .66 of the slow swim to 1.5 of the fast no speed is left out.
 At the top a sardine beats 10 times a second, which muscle of its size can (Wardle 1975), at less than Bainbridge's
 V = L (3f - 4) / 4."""
 
@@ -85,7 +85,7 @@ class MotorTable(Table):
     urgency: Float64s = column(np.float64)
     "demand: 0 for leisure to 1 for danger; lets steering turn faster, (capacity,)"
     throttle: Float64s = column(np.float64, fill=1.0)
-    """demand: speed over the gear's own, 1 as captured; from .7 to 1.5 the swim is played at that rate (`RATES`), below
+    """demand: speed over the gear's own, 1 as captured; from .66 to 1.5 the swim plays at that rate (`RATES`), below
     with shrinking strides: 0 to brake and stand, down to -.2 to back. Other than 1, the gear is played that is asked
     for, at leisure too; turns are played as captured. `gear_for_speed` finds both for a speed, (capacity,)"""
     pace: Float64s = column(np.float64, fill=1.0)

@@ -59,7 +59,7 @@ def test_a_folder_that_cannot_be_written_costs_the_stamp_alone(
 def test_without_a_terminal_there_is_nothing_to_show(
     reports: Reports, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(warmup, "_compile_all", reports.append)
+    monkeypatch.setattr(warmup, "_compile_all", lambda bar, _: reports.append(bar))
     warm_up()
     assert reports == []
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
