@@ -45,8 +45,8 @@ class SceneGroup(Strict):
     arrives_s: Seconds = 0.0
     heading_deg: Degrees | None = None
     """Where all of them face; null: as a level's groups do."""
-    hunger: Fraction = 0.0
-    """1 - what is in the stomach over the appetite."""
+    hunger: Annotated[float, Field(ge=-1.0, le=1.0)] = 0.0
+    """1 - what is in the stomach over the appetite: 0 for who is full, whom food still tempts, -1 for the sated."""
     libido: Fraction = 0.0
     """Of a sated fish."""
     sexes: Literal["any", "both"] = "any"

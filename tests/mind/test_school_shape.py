@@ -1,4 +1,4 @@
-"""The school of first_dive is a school: polarised, near, longer than wide and flatter than long."""
+"""The school of first_dive, fed and not in the mood, is polarised, near, longer than wide and flatter than long."""
 
 import numpy as np
 import pytest
@@ -20,6 +20,9 @@ def sardines(world: World) -> tuple[Float64s, Float64s, Float64s]:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_school_is_polarised_near_and_longer_than_wide_or_high(seed: int) -> None:
     world = World.build(load("first_dive"), seed)
+    mind = world.population.mind
+    mind.eaten[: mind.count], mind.ate_at[: mind.count] = 100.0, 0
+    mind.mated_at[: mind.count] = 40 * 60
     for _ in range(40 * 60):
         world.tick()
     position, heading, length = sardines(world)

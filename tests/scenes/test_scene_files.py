@@ -1,5 +1,6 @@
 """What scenes say is checked before anything swims, and measures measure what they say."""
 
+import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 from reefgame.content import ContentError
 from reefgame.testing import MEASURES, Observation, observe, read_scene
 from reefgame.testing.bodies import overlapping
+from reefgame.testing.picture import panel, place, sheet
 
 SCENE = """
 title: Two sardines
@@ -96,3 +98,11 @@ def test_a_hunt_that_was_not_is_no_number(pair: Observation) -> None:
     assert np.isnan(MEASURES["hunted_share"](pair, "sardine", "sardine"))
     assert MEASURES["fed_share"](pair, "sardine", None) == 0.0
     assert MEASURES["phases_danced"](pair, "sardine", None) == 0.0
+
+
+def test_a_picture_shows_every_fish_and_its_way(pair: Observation) -> None:
+    centre = pair.position[-1].mean(axis=0)
+    text = sheet([panel(pair, 9, centre, 3.0, "now", place(0), tail=5)], "Two sardines")
+    paths = ET.fromstring(text).findall(".//{http://www.w3.org/2000/svg}path")
+    assert [path.get("d", "").endswith("Z") for path in paths] == [False, True, False, True, False]
+    assert paths[0].get("d", "").count("L") == 5

@@ -58,15 +58,15 @@ def test_a_scene_comes_true_eighteen_times_of_twenty(
 
 
 def row(scene: Scene, outcomes: list[Outcome], failed: int) -> str:
-    """Return the scene's row of the table: claim, rates, and the median of what was measured."""
-    measured = []
+    """Return the scene's row of the table: claim, rates, and the median of what was measured, by group or variant."""
+    measured: dict[str, list[str]] = {}
     for index, one in enumerate(scene.file.expect):
         values = np.array([outcome.values[index] for outcome in outcomes])
-        middle = ", ".join(f"{value:.2g}" for value in np.nanmedian(values, axis=0) + 0.0)
-        of = "" if len({e.of for e in scene.file.expect}) == 1 else f" ({one.of})"
-        measured.append(f"{one.measure}{of} {middle}")
+        middle = [f"{value:.2g}" for value in np.median(values, axis=0) + 0.0]
+        measured.setdefault(one.measure, []).extend(middle)
+    words = "; ".join(f"{name} {', '.join(middle)}" for name, middle in measured.items())
     passed = sum(outcome.passed for outcome in outcomes)
     name = f"[{scene.name}](../tests/scenes/{scene.name}.yaml)"
     many = len(outcomes)
     claim = f"| {name} | {scene.file.title} | {passed} of {many} | {failed} of {many} |"
-    return f"{claim} {'; '.join(measured)} |"
+    return f"{claim} {words} |"
