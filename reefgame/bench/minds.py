@@ -6,6 +6,7 @@ within a mind's radius, 1 % predators, rocks as many a square metre as in the le
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from math import cos, sin, sqrt
 from time import perf_counter
 from typing import Final
@@ -109,11 +110,9 @@ def measure() -> Iterator[Case]:
     yield from _parts()
     for fishes, least in _BOUNDS.items():
         world = _lived(fishes)
-        tick = in_turn((lambda world=world: _second(world.systems, world.clock),))[0]
-        yield _over_real(
-            f"part=full fishes={fishes}", tick / TICKS_PER_SECOND, f"ratio >= {least:g}"
-        )
-        del world
+        (second,) = in_turn((partial(_second, world.systems, world.clock),))
+        tick = second / TICKS_PER_SECOND
+        yield _over_real(f"part=full fishes={fishes}", tick, f"ratio >= {least:g}")
     yield _memory()
 
 
@@ -147,42 +146,44 @@ def _against_tree() -> Iterator[Case]:
     threads = numba.get_num_threads()
     numba.set_num_threads(1)
     for fishes in (1000, 10_000, 100_000):
-        world = _lived(fishes)
-        fish = world.population.fish
-        bare = BareSchooling(
-            world.population, _everyone(world), world.terrain, world.clock, every=1
-        )
-        bare()
-        place, course = fish.live("position").copy(), fish.live("rotation")[:, :, 0].copy()
-        length, kind = fish.live("length"), fish.live("species").copy()
-        spacing = world.senses.spacing[kind] * length
-        radius = REACH * world.senses.length
-        all_school = np.ones(len(radius), np.bool_)
-        ours, theirs = in_turn(
-            (bare, lambda: schooling_step(place, course, kind, radius, spacing, all_school)),
-            _TREE_ROUNDS,
-        )
-        case = f"part=schooling against=ckdtree fishes={fishes} threads=1"
-        share, bound = 1e9 / fishes, "ratio >= 8"
-        yield Case(case, ours * share, "ns a mind", theirs * share, theirs / ours, bound)
-        pairs = tested_pairs(bare.grid.plan, place)
-        yield Case(f"part=pairs fishes={fishes} threads=1", ours * 1e9 / pairs, "ns a tested pair")
-        del world, bare
+        yield from _schooling(_lived(fishes))
     numba.set_num_threads(threads)
+
+
+def _schooling(world: World) -> Iterator[Case]:
+    fishes, fish = world.population.count, world.population.fish
+    bare = BareSchooling(world.population, _everyone(world), world.terrain, world.clock, every=1)
+    bare()
+    place = fish.position[:fishes].copy()
+    course = fish.rotation[:fishes, :, 0].copy()
+    kind = fish.species[:fishes].copy()
+    spacing = world.senses.spacing[kind] * fish.length[:fishes]
+    radius = REACH * world.senses.length
+
+    def tree() -> None:
+        schooling_step(place, course, kind, radius, spacing, np.ones(len(radius), np.bool_))
+
+    ours, theirs = in_turn((bare, tree), _TREE_ROUNDS)
+    case, share = f"fishes={fishes} threads=1", 1e9 / fishes
+    yield Case(
+        f"part=schooling against=ckdtree {case}",
+        *(ours * share, "ns a mind", theirs * share, theirs / ours, "ratio >= 8"),
+    )
+    pairs = tested_pairs(bare.grid.plan, place)
+    yield Case(f"part=pairs {case}", ours * 1e9 / pairs, "ns a tested pair")
 
 
 def tested_pairs(plan: Plan, position: Float64s) -> int:
     """Return how many distances a look around every fish's cell tests: who is in the 27 cells around it."""
-    cells = np.floor(
-        (position + (plan.extent, plan.extent, 0.0)) / (plan.cell, plan.cell, -plan.cell)
-    )
+    corner = np.array((plan.extent, plan.extent, 0.0))
+    cells = np.floor((position + corner) / np.array((plan.cell, plan.cell, -plan.cell)))
     most = (plan.columns - 1, plan.columns - 1, plan.layers - 1)
     cells = np.clip(cells.astype(np.int64), 0, most)
     flat = (cells[:, 0] * plan.columns + cells[:, 1]) * plan.layers + cells[:, 2]
     known, many = np.unique(flat, return_counts=True)
     total = 0
     for dx, dy, dz in np.ndindex(3, 3, 3):
-        other = cells + (dx - 1, dy - 1, dz - 1)
+        other = cells + np.array((dx - 1, dy - 1, dz - 1))
         inside = ((other >= 0) & (other <= most)).all(axis=1)
         key = (other[:, 0] * plan.columns + other[:, 1]) * plan.layers + other[:, 2]
         at = np.minimum(np.searchsorted(known, key), len(known) - 1)
@@ -191,7 +192,7 @@ def tested_pairs(plan: Plan, position: Float64s) -> int:
 
 
 def _parts() -> Iterator[Case]:
-    """Yield whole minds against bare schooling with the same motion, one thread against two, and where the time goes."""
+    """Yield whole minds against bare schooling, both with motion, one thread against two, and where the time goes."""
     threads = numba.get_num_threads()
     full, bare = _lived(10_000), _lived(10_000)
     schooling = BareSchooling(bare.population, _everyone(bare), bare.terrain, bare.clock)

@@ -233,7 +233,7 @@ class Reference:
             return False
         d = tuple(t / (number * 65536.0) - c for t, c in zip(total, me.at, strict=True))
         far = min(2.0 * self.sense.sight[me.species], self.world.habitat.visibility)
-        return dot(d, d) <= far * far
+        return bool(dot(d, d) <= far * far)
 
     def _obstacle(self, me: Body) -> float:
         reach, best = me.length + 0.8 * me.speed, NOBODY

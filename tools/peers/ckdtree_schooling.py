@@ -23,7 +23,7 @@ SEPARATION, ELBOW, COHESION, FLATTEN = 2.2, 1.4, 0.45, 0.8
 
 
 def neighbours(position: Float64s, heading: Float64s, radius: float) -> tuple[Int64s, Float64s]:
-    """Return the nearest 8 of (N, 3) `position` [m] in view and their distances [m], (N, 8) each, N and inf for none."""
+    """Return the nearest 8 in view and their distances [m], (N, 8) each, N and inf for none; places are (N, 3) [m]."""
     number = len(position)
     far, near = cKDTree(position).query(position, ASKED, distance_upper_bound=radius)
     padded = np.concatenate((position, np.zeros((1, 3))))
