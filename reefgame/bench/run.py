@@ -13,7 +13,7 @@ from reefgame.bench.case import Case
 from reefgame.console import InputError, complain
 from reefgame.output import check_output, replacing
 
-NAMES: Final = ("motor", "step", "view", "startup", "memory")
+NAMES: Final = ("motor", "step", "view", "startup", "memory", "fibres")
 
 
 def run(names: Sequence[str], output: Path | None) -> int:

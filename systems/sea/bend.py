@@ -320,8 +320,13 @@ def _bend_in_parallel(
 class Bender(Protocol):
     """What bends a garden: numba's twin here, or systems/sea/fibres_opencl.py."""
 
-    name: str
-    "`opencl` or `numba`"
+    @property
+    def name(self) -> str:
+        """Return `opencl` or `numba`."""
+
+    @property
+    def note(self) -> str:
+        """Return one line that says why this bends and not what was asked for; empty where it is that."""
 
     def step(self, garden: Garden, packed: Float32s, seconds: float) -> None:
         """Bend the garden's fibres for `seconds` in the flow of `packed` (`components.field.pack`), (n, 16)."""
@@ -336,6 +341,7 @@ class NumbaBender:
     """Bends with numba, in parallel or not; reads and writes a garden's `strands` and `followers`."""
 
     name = "numba"
+    note = ""
 
     def __init__(self, parallel: bool = True, culled: bool = True) -> None:
         self._bend = _bend_in_parallel if parallel else bend_bundles
