@@ -87,9 +87,10 @@ def flow_of(
     elif field.kind[k] == _HOLE:
         push = -push
     size = sqrt(qx * qx + qy * qy + qz * qz + field.softening[k] * field.softening[k])
-    if not size > 0.0:
+    spread = abs(field.intensity[k]) / field.most[k] + d2
+    if not (size > 0.0 and spread > 0.0):
         return 0.0, 0.0, 0.0
-    push /= abs(field.intensity[k]) / field.most[k] + d2
+    push /= spread
     return push * (qx / size), push * (qy / size), push * (qz / size)
 
 
@@ -116,10 +117,10 @@ def pack(table: SingularityTable, tick: float) -> Float32s:
         phi = np.clip(field.intensity, -_STRONGEST, _STRONGEST)
         most = np.clip(field.most, _FINEST, _FASTEST)
         out[:, :3], out[:, REACH_AT] = field.position, field.reach
-        out[:, 4:7], out[:, KIND_AT] = field.axis, field.kind
+        out[:, 4:7], out[:, KIND_AT] = np.clip(field.axis, -1.0, 1.0), field.kind
         out[:, 8] = np.where(field.kind == _HOLE, -phi, phi)
         out[:, 9] = np.abs(phi) / most
-        out[:, 10] = np.maximum(field.softening, _FINEST) ** 2
+        out[:, 10] = np.clip(field.softening, _FINEST, _STRONGEST) ** 2
         out[:, 11] = np.clip(field.amplitude, -_FASTEST, _FASTEST)
         out[:, 12] = np.clip(field.wave_number, -_FASTEST, _FASTEST)
         turns = field.phase - field.frequency * (tick * TICK_SECONDS)

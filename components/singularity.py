@@ -190,7 +190,7 @@ def _between(keys: KeyFrames, track: int, frame: int, part: int, h: float, u: fl
 
 
 @row
-def play_tracks(
+def _play(
     keys: KeyFrames,
     track: Int32s,
     attached: Int64s,
@@ -198,13 +198,16 @@ def play_tracks(
     intensity: Float64s,
     seconds: float,
 ) -> None:
-    """Write intensity, and position [m] where nothing carries it, of every singularity that has a track.
-
-    Columns of the living rows, (n,) and (n, 3).
-    """
     for k in range(len(track)):
         if track[k] >= 0:
             x, y, z, phi = key_frame(keys, track[k], seconds)
             intensity[k] = phi
             if attached[k] == FREE:
                 position[k, 0], position[k, 1], position[k, 2] = x, y, z
+
+
+def play_tracks(table: SingularityTable, keys: KeyFrames, seconds: float) -> None:
+    """Write intensity, and position where nothing carries it, of every singularity that has a track, at a time [s]."""
+    count = table.count
+    track, attached = table.track[:count], table.attached[:count]
+    _play(keys, track, attached, table.position[:count], table.intensity[:count], seconds)
