@@ -27,6 +27,8 @@ class Garden:
     "[m] centre and radius of what each tuft can never leave, its thickness included, (tufts, 4)"
     clump_sphere: Float64s
     "[m] the same of each clump's nodes, (clumps, 4)"
+    clump: Int32s
+    "clump of each tuft, -1 for followers and tufts without fibres, (tufts,)"
     first_fibre: Int32s
     "index of each tuft's first fibre, (tufts + 1,)"
     first_row: Int32s
@@ -65,7 +67,7 @@ class Garden:
         plan = plan_bundles(tufts)
         self.plant = np.array([tuft.plant for tuft in tufts], np.int32)
         self.look = np.array([tuft.look for tuft in tufts], np.int32)
-        self.first_fibre = plan.first_fibre
+        self.first_fibre, self.clump = plan.first_fibre, plan.clump
         self.nodes = np.repeat([tuft.nodes for tuft in tufts], np.diff(plan.first_fibre))
         self.nodes = self.nodes.astype(np.int32)
         self.first_row, self.lane = plan.bundle[plan.of_fibre // LANES, 0], plan.of_fibre % LANES

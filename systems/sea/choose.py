@@ -11,7 +11,7 @@ from time import monotonic
 from typing import Final, Literal
 from weakref import finalize
 
-from components.arrays import Float32s
+from components.arrays import AnyArray, Float32s
 from components.fault import FaultError
 from components.garden import Garden
 from systems.sea.bend import Bender, NumbaBender
@@ -59,17 +59,19 @@ class ProvenBender:
         """Return which of the two bends now."""
         return self._bender.name
 
-    def step(self, garden: Garden, packed: Float32s, seconds: float) -> None:
-        """Bend the garden's fibres for `seconds` in the flow of `packed`, (n, 16)."""
+    def step(
+        self, garden: Garden, packed: Float32s, seconds: float, seen: AnyArray | None = None
+    ) -> None:
+        """Bend the garden's fibres, those of the clumps that are `seen`; see `Bender`."""
         if self._child is not None and self._child.poll() is not None:
             self._judge(self._child)
         elif self._child is not None and monotonic() > self._deadline:
             self._refuse("it does not answer")
         try:
-            self._bender.step(garden, packed, seconds)
+            self._bender.step(garden, packed, seconds, seen)
         except FaultError as fault:
             self._refuse(str(fault))
-            self._bender.step(garden, packed, seconds)
+            self._bender.step(garden, packed, seconds, seen)
 
     def settle(self) -> None:
         """Wait until it is known which of the two serves."""

@@ -1,5 +1,5 @@
-// Bends fibres (papers/002, section 4; FINDINGS 9): eight side by side in each work-item. The twin of bend.py, operation
-// for operation: whoever changes one changes both. Contraction is off, since a fused multiply-add rounds otherwise.
+// Bends fibres (papers/002, section 4; FINDINGS 9): eight side by side in each work-item. The twin of fibres_numba.py,
+// operation for operation: whoever changes one changes both. Contraction is off: a fused multiply-add rounds otherwise.
 #pragma OPENCL FP_CONTRACT OFF
 
 #define LANES 8
@@ -146,15 +146,17 @@ static void turn_root(global const float *perch, global const float *rest, globa
     }
 }
 
-kernel void bend(int begin, int end, float part_of_way, global const int *bundles, global const float *rest,
-                 global const float *length, global const float *area, global const float *stiffness,
-                 global const float *rest_root, global float *root, global const float *perch,
-                 global const int *carrier, global const float *plane, global float *direction,
-                 global float *position, global const float *packed, global const int *list_first,
+kernel void bend(int begin, int end, float part_of_way, global const int *order, global const int *bundles,
+                 global const float *rest, global const float *length, global const float *area,
+                 global const float *stiffness, global const float *rest_root, global float *root,
+                 global const float *perch, global const int *carrier, global const float *plane,
+                 global float *direction, global float *position, global const float *packed,
+                 global const int *list_first,
                  global const int *list_member, global const float *rocks, global const int *rock_first,
                  global const int *rock_member) {
-    const int bundle = begin + get_global_id(0);
-    if (bundle >= end) return;
+    const int turn = begin + get_global_id(0);
+    if (turn >= end) return;
+    const int bundle = order[turn];
     const int first = bundles[4 * bundle], nodes = bundles[4 * bundle + 1], clump = bundles[4 * bundle + 2];
     const int list_begin = list_first[clump], list_end = list_first[clump + 1];
     const int rock_begin = rock_first[clump], rock_end = rock_first[clump + 1];
@@ -225,7 +227,7 @@ kernel void bend(int begin, int end, float part_of_way, global const int *bundle
         d = chosen(t, scaled(d, 1.0f / sqrt(q)), q > LOST);
         const float8 L = vload8(at, length);
         vec p = added(x, scaled(d, L));
-        for (int turn = 0; turn < 3; turn++) {
+        for (int again = 0; again < 3; again++) {
             const vec out = outside(rocks, rock_member, rock_begin, rock_end, plane, p);
             int8 moved = out.x != p.x || out.y != p.y || out.z != p.z;
             const vec away = less(out, x);

@@ -1,6 +1,6 @@
 """Bends fibres with OpenCL, eight to a work-item: papers/002's future work (section 6). No other file imports pyopencl.
 
-The kernel stands in fibres.cl; systems/sea/bend.py is its twin. A driver may lie, abort or hang, so
+The kernel stands in fibres.cl; systems/sea/fibres_numba.py is its twin. A driver may lie, abort or hang, so
 systems/sea/choose.py runs `self_test` in a process of its own before anybody constructs a bender here.
 """
 
@@ -14,13 +14,13 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import pyopencl as cl
 
-from components.arrays import AnyArray, Float32s
+from components.arrays import AnyArray, Float32s, Int32s
 from components.fault import FaultError
 from components.fibre import PUSH, SKIN, Carriers, Tuft
 from components.field import pack
 from components.garden import Garden
 from components.singularity import SingularityTable
-from systems.sea.bend import NumbaBender, part_of
+from systems.sea.bend import NumbaBender, part_of, turns
 from systems.sea.follow import follow
 from systems.sea.gather import Lists, gather
 
@@ -126,28 +126,32 @@ class OpenCLBender:
         self._lists: Lists | None = None
         self._shared: WeakKeyDictionary[Garden, _Shared] = WeakKeyDictionary()
 
-    def step(self, garden: Garden, packed: Float32s, seconds: float) -> None:
-        """Bend the garden's fibres for `seconds` in the flow of `packed`, (n, 16). Raise DeviceError."""
-        if garden.depths[-1]:
+    def step(
+        self, garden: Garden, packed: Float32s, seconds: float, seen: AnyArray | None = None
+    ) -> None:
+        """Bend the garden's fibres, those of the clumps that are `seen`; see `Bender`. Raise DeviceError."""
+        due = [bundles for bundles in turns(garden, seen) if len(bundles)]
+        if due:
             with _faults():
-                self._bend(garden, packed, np.float32(part_of(seconds)))
+                self._bend(garden, packed, part_of(seconds), due)
         follow(garden)
 
-    def _bend(self, garden: Garden, packed: Float32s, part: Any) -> None:
+    def _bend(self, garden: Garden, packed: Float32s, part: float, due: list[Int32s]) -> None:
         self._lists = lists = gather(garden.clump_sphere, packed, self._lists, self._culled)
         if garden not in self._shared:
             self._shared[garden] = _Shared(self._context, self._queue, garden)
         shared = self._shared[garden]
         shared.lend()
-        copied = (packed, lists.first, lists.member[: lists.first[-1]])
+        copied = (packed, lists.first, lists.member[: lists.first[-1]], np.concatenate(due))
         flags = _READ | cl.mem_flags.COPY_HOST_PTR
-        seen = [cl.Buffer(self._context, flags, hostbuf=_whole(plane)) for plane in copied]
+        *seen, order = [cl.Buffer(self._context, flags, hostbuf=_whole(plane)) for plane in copied]
         strands = len(garden.strands)
-        arguments = (*shared.buffers[:strands], *seen, *shared.buffers[strands:])
-        for begin, end in pairwise(garden.depths):
-            self._kernel.set_args(np.int32(begin), np.int32(end), part, *arguments)
+        arguments = (order, *shared.buffers[:strands], *seen, *shared.buffers[strands:])
+        ends = np.cumsum([0, *map(len, due)], dtype=np.int32)
+        for begin, end in pairwise(ends):
+            self._kernel.set_args(begin, end, part, *arguments)
             groups = -(-(end - begin) // self._local_size)
-            size = (groups * self._local_size,), (self._local_size,)
+            size = (int(groups) * self._local_size,), (self._local_size,)
             cl.enqueue_nd_range_kernel(self._queue, self._kernel, *size)
         shared.take_back()
 

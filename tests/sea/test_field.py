@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from components.arrays import Float64s
 from components.field import field_of, flow, pack
 from components.singularity import SingularityKind, SingularityTable
-from systems.sea.bend import flow_at
+from systems.sea.fibres_numba import flow_at
 
 PHI, MOST = 7.0, 3.0
 CENTRE = np.array([0.3, -0.2, 1.1])
