@@ -22,6 +22,7 @@ _NODES: Final = 10
 _TENTACLES: Final = 40
 _SPACING: Final = 1.2
 _FRAME: Final = 1.0 / 60.0
+_FEW: Final = 410
 _PAPER: Final = 14_760
 _MILLION: Final = 1_000_000
 
@@ -134,6 +135,8 @@ def measure() -> Iterator[Case]:
     """Yield each backend's time against the others', and the memory that a node takes."""
     yield from _compare(_PAPER, 60, True, {"scalar": 2.2, "parallel": 0.9})
     yield from _compare(_PAPER, 1, True, {"scalar": 0.0, "parallel": 0.9})
+    yield from _compare(_FEW, 60, True, {"parallel": 0.9})
+    yield from _compare(10 * _FEW, 60, True, {"parallel": 0.9})
     yield from _compare(_MILLION, 60, False, {"parallel": 1.5})
     yield from _compare(_MILLION, 60, True, {"parallel": 0.9})
     yield _memory()

@@ -15,6 +15,9 @@ from systems.sea.fibres_numba import F, bend_bundles, bend_in_parallel
 from systems.sea.follow import follow
 from systems.sea.gather import Lists, gather
 
+LEAST_NODES: Final = 512
+"""Nodes below which a parallel launch takes longer than it saves."""
+
 SETTLING: Final = 0.3
 """[s] tau, in which a fibre comes 63 % of the way."""
 
@@ -61,7 +64,7 @@ class NumbaBender:
     note = ""
 
     def __init__(self, parallel: bool = True, culled: bool = True) -> None:
-        self._bend = bend_in_parallel if parallel else bend_bundles
+        self._parallel = parallel
         self._culled = culled
         self._lists: Lists | None = None
 
@@ -72,6 +75,8 @@ class NumbaBender:
         lists = gather(garden.clump_sphere, packed, self._lists, self._culled)
         self._lists = lists
         part = part_of(seconds)
+        parallel = self._parallel and garden.strands.length.size >= LEAST_NODES
+        bend = bend_in_parallel if parallel else bend_bundles
         for bundles in turns(garden, seen):
-            self._bend(garden.strands, garden.rocks, packed, lists, bundles, part)
+            bend(garden.strands, garden.rocks, packed, lists, bundles, part)
         follow(garden)

@@ -27,6 +27,9 @@ from systems.sea.gather import Lists, gather
 LOCAL_SIZE: Final = 4
 """Work-items in a work-group: fixed, so that the kernel is built once; few, so that cores share evenly."""
 
+LEAST_NODES: Final = 4_096
+"""Nodes below which starting the device takes longer than numba's twin, which then serves: the bits are the same."""
+
 _STEPS: Final = 20
 _FRAME: Final = 1.0 / 60.0
 _TOLERANCE: Final = 1e-4
@@ -111,7 +114,9 @@ class OpenCLBender:
     name = "opencl"
     note = ""
 
-    def __init__(self, local_size: int = LOCAL_SIZE, culled: bool = True) -> None:
+    def __init__(
+        self, local_size: int = LOCAL_SIZE, culled: bool = True, least_nodes: int = LEAST_NODES
+    ) -> None:
         """Build the kernel on the first device. Raise DeviceError where there is none or it does not build."""
         source = Path(__file__).with_name("fibres.cl").read_text(encoding="utf-8")
         with _faults():
@@ -123,6 +128,8 @@ class OpenCLBender:
             self._kernel = cl.Kernel(program, "bend")
         self._local_size = local_size
         self._culled = culled
+        self._least_nodes = least_nodes
+        self._twin = NumbaBender(culled=culled)
         self._lists: Lists | None = None
         self._shared: WeakKeyDictionary[Garden, _Shared] = WeakKeyDictionary()
 
@@ -130,6 +137,9 @@ class OpenCLBender:
         self, garden: Garden, packed: Float32s, seconds: float, seen: AnyArray | None = None
     ) -> None:
         """Bend the garden's fibres, those of the clumps that are `seen`; see `Bender`. Raise DeviceError."""
+        if garden.strands.length.size < self._least_nodes:
+            self._twin.step(garden, packed, seconds, seen)
+            return
         due = [bundles for bundles in turns(garden, seen) if len(bundles)]
         if due:
             with _faults():
@@ -148,8 +158,10 @@ class OpenCLBender:
         strands = len(garden.strands)
         arguments = (order, *shared.buffers[:strands], *seen, *shared.buffers[strands:])
         ends = np.cumsum([0, *map(len, due)], dtype=np.int32)
+        self._kernel.set_args(ends[0], ends[1], part, *arguments)
         for begin, end in pairwise(ends):
-            self._kernel.set_args(begin, end, part, *arguments)
+            self._kernel.set_arg(0, begin)
+            self._kernel.set_arg(1, end)
             groups = -(-(end - begin) // self._local_size)
             size = (int(groups) * self._local_size,), (self._local_size,)
             cl.enqueue_nd_range_kernel(self._queue, self._kernel, *size)
@@ -178,7 +190,7 @@ def self_test() -> None:
     """Build the kernel, run it and hold it against the twin. Raise SystemExit with a reason where it fails."""
     (own, packed), (other, _) = _sample(), _sample()
     try:
-        device, twin = OpenCLBender(), NumbaBender(parallel=False)
+        device, twin = OpenCLBender(least_nodes=0), NumbaBender(parallel=False)
         for _ in range(_STEPS):
             device.step(own, packed, _FRAME)
             twin.step(other, packed, _FRAME)

@@ -112,12 +112,12 @@ def bender_of(backend: str, local_size: int, culled: bool) -> Bender:
         return NumbaBender(parallel=local_size > 1, culled=culled)
     from systems.sea.fibres_opencl import OpenCLBender
 
-    return OpenCLBender(local_size, culled=culled)
+    return OpenCLBender(local_size, culled, least_nodes=0)
 
 
 def bits_of(backend: str, local_size: int = 1, culled: bool = True, steps: int = 40) -> str:
     """Return a hash of where all nodes are after a while."""
-    garden = Garden(anemone(), ROCKS)
+    garden = Garden(anemone(60), ROCKS)
     bend(garden, bender_of(backend, local_size, culled), water(), steps)
     return hashlib.sha256(garden.position.tobytes()).hexdigest()
 

@@ -12,6 +12,7 @@ import pytest
 from components.garden import Garden
 from systems.sea.bend import NumbaBender
 from systems.sea.choose import ProvenBender, choose
+from systems.sea.fibres_opencl import LEAST_NODES
 
 REPORT = "from systems.sea.choose import choose; bender = choose('opencl'); print(bender.name, bender.note)"
 
@@ -33,7 +34,8 @@ def test_numba_is_taken_at_once() -> None:
 def test_opencl_serves_where_it_passes_its_test(bed: ModuleType) -> None:
     bender = choose("opencl")
     assert (bender.name, bender.note) == ("opencl", "")
-    own, twin = Garden(bed.anemone(), bed.ROCKS), Garden(bed.anemone(), bed.ROCKS)
+    own, twin = (Garden(bed.anemone(fibres), bed.ROCKS) for fibres in (500, 500))
+    assert own.strands.length.size > LEAST_NODES
     bed.bend(own, bender, bed.water(), 30)
     bed.bend(twin, NumbaBender(parallel=False), bed.water(), 30)
     assert np.array_equal(own.position, twin.position)
@@ -70,7 +72,7 @@ def test_a_child_that_fails_leaves_numba_and_one_line(
 
 def test_the_change_to_opencl_moves_nothing(bed: ModuleType) -> None:
     bender = ProvenBender()
-    garden, twin = Garden(bed.anemone()), Garden(bed.anemone())
+    garden, twin = (Garden(bed.anemone(fibres)) for fibres in (500, 500))
     bed.bend(garden, bender, bed.water(), 5)
     bender.settle()
     bed.bend(garden, bender, bed.water(), 5)
