@@ -22,6 +22,12 @@ LANES: Final = 8
 DENSITY: Final = 0.02
 """rho of papers/002 eq. 9: a coupling in scene units, no density (FINDINGS 9)."""
 
+CARRIED: Final = 1
+"""Flag of a bundle whose fibres are carried."""
+
+GROUNDED: Final = 2
+"""Flag of a bundle with ground below any of its fibres."""
+
 SKIN: Final = 0.05
 """[m] from a rock within which it pushes fibres away."""
 
@@ -95,7 +101,7 @@ class Strands(NamedTuple):
     """What bending kernels read and write. R rows of fibres that bend, B bundles."""
 
     bundle: Int32s
-    "first row, nodes, clump (bundles in one bounding sphere), 1 where fibres are carried, (B, 4); by depth of carrying"
+    "first row, nodes, clump (bundles in one bounding sphere), flags, (B, 4); by depth of carrying"
     rest: Float32s
     "rest direction of each node's segment, in the frame (t, n, t x n) of the segment before, (R, 3, 8)"
     length: Float32s

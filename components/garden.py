@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from components.arrays import AnyArray, Float32s, Float64s, Int32s
-from components.fibre import DENSITY, LANES, SKIN, Followers, Rocks, Strands, Tuft
+from components.fibre import DENSITY, GROUNDED, LANES, SKIN, Followers, Rocks, Strands, Tuft
 from components.garden_plan import Plan, plan_bundles
 from components.rocks import pack_rocks
 
@@ -237,6 +237,7 @@ def _write_strands(strands: Strands, tuft: Tuft, here: _Where, density: float) -
     here.put_slot(strands.rest_root, np.concatenate([first, normal], axis=1))
     if tuft.ground is not None:
         here.put_slot(strands.plane, np.broadcast_to(tuft.ground, (tuft.fibres, 4)))
+        strands.bundle[here.slot, 3] |= GROUNDED
 
 
 def _write_perch(garden: Garden, tufts: Sequence[Tuft], tuft: Tuft, here: _Where) -> None:

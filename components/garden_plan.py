@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from components.arrays import Int32s
-from components.fibre import LANES, Tuft
+from components.fibre import CARRIED, LANES, Tuft
 
 
 class Plan(NamedTuple):
@@ -20,7 +20,7 @@ class Plan(NamedTuple):
     of_fibre: Int32s
     "8 bundle + lane, (fibres,)"
     bundle: Int32s
-    "first row, nodes, clump, carried, (bundles, 4); followers last"
+    "first row, nodes, clump, flags, (bundles, 4); followers last"
     filled: Int32s
     "lanes that hold a fibre of their own, (bundles,)"
     clump: Int32s
@@ -84,7 +84,7 @@ def plan_bundles(tufts: Sequence[Tuft]) -> Plan:
             filled[-1] += number
         else:
             for start in range(0, number, LANES):
-                bundles.append((row, nodes, clumps, int(depth > 0)))
+                bundles.append((row, nodes, clumps, CARRIED * (depth > 0)))
                 filled.append(min(LANES, number - start))
                 row += nodes
             clumps += 1

@@ -4,6 +4,8 @@
 
 #define LANES 8
 #define ROW 24
+#define CARRIED 1
+#define GROUNDED 2
 #define LEAST_PUSH 1e-30f
 #define LEAST_STIFFNESS 1e-12f
 #define FASTEST 1e4f
@@ -162,7 +164,7 @@ kernel void bend(int begin, int end, float part_of_way, global const int *order,
     const int rock_begin = rock_first[clump], rock_end = rock_first[clump + 1];
     plane += 32 * bundle;
     root += 48 * bundle;
-    if (bundles[4 * bundle + 3])
+    if (bundles[4 * bundle + 3] & CARRIED)
         for (int lane = 0; lane < LANES; lane++)
             turn_root(perch + 48 * bundle, rest_root + 48 * bundle, root, carrier[LANES * bundle + lane], position,
                       direction, first, lane);
@@ -205,6 +207,8 @@ kernel void bend(int begin, int end, float part_of_way, global const int *order,
         }
     }
 
+    // Nothing is in the way of most fibres.
+    const int attempts = rock_begin < rock_end || bundles[4 * bundle + 3] & GROUNDED ? 3 : 0;
     // Target directions, from root to tip; each segment eases towards its own.
     const float8 part = min((float8)(part_of_way), 1.0f / (1.0f + gain));
     vec t = load3(root), n = load3(root + ROW), x = load3(position + ROW * first);
@@ -227,7 +231,7 @@ kernel void bend(int begin, int end, float part_of_way, global const int *order,
         d = chosen(t, scaled(d, 1.0f / sqrt(q)), q > LOST);
         const float8 L = vload8(at, length);
         vec p = added(x, scaled(d, L));
-        for (int again = 0; again < 3; again++) {
+        for (int again = 0; again < attempts; again++) {
             const vec out = outside(rocks, rock_member, rock_begin, rock_end, plane, p);
             int8 moved = out.x != p.x || out.y != p.y || out.z != p.z;
             const vec away = less(out, x);

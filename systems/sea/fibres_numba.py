@@ -13,7 +13,7 @@ import numba
 import numpy as np
 
 from components.arrays import Float32s, Int32s
-from components.fibre import LANES, PUSH, SKIN, Rocks, Strands
+from components.fibre import CARRIED, GROUNDED, LANES, PUSH, SKIN, Rocks, Strands
 from components.kernels import inlined, loop, row
 from systems.sea.gather import Lists
 
@@ -225,11 +225,14 @@ def bend_fibre(
     part: float,
 ) -> None:
     """Bend one fibre by the part of the way that a step takes."""
-    if strands.bundle[bundle, 3]:
+    if strands.bundle[bundle, 3] & CARRIED:
         _turn_root(strands, bundle, lane)
     gain = _load(strands, rocks, packed, lists, bundle, lane)
     part = min(part, _1 / (_1 + gain))
     first, nodes = strands.bundle[bundle, 0], strands.bundle[bundle, 1]
+    clump = strands.bundle[bundle, 2]
+    free = rocks.first[clump] == rocks.first[clump + 1]
+    attempts = 0 if free and not strands.bundle[bundle, 3] & GROUNDED else _PROJECTIONS
     position, direction, root = strands.position, strands.direction, strands.root
     tx, ty, tz = root[bundle, 0, lane], root[bundle, 1, lane], root[bundle, 2, lane]
     nx, ny, nz = root[bundle, 3, lane], root[bundle, 4, lane], root[bundle, 5, lane]
@@ -265,7 +268,7 @@ def bend_fibre(
             dx, dy, dz = tx, ty, tz
         length = strands.length[at, lane]
         px, py, pz = x + length * dx, y + length * dy, z + length * dz
-        for _ in range(_PROJECTIONS):
+        for _ in range(attempts):
             qx, qy, qz = _outside(strands, rocks, bundle, lane, px, py, pz)
             if qx == px and qy == py and qz == pz:
                 break

@@ -102,10 +102,13 @@ class _Shared:
         flags: Any = cl.map_flags.READ | cl.map_flags.WRITE
         for at in self._written:
             plane, buffer = self._host[at], self.buffers[at]
-            mapped, _ = cl.enqueue_map_buffer(
-                self._queue, buffer, flags, 0, plane.shape, plane.dtype
+            shape = plane.shape, plane.dtype
+            # The queue keeps its order, so waiting for the last is waiting for all.
+            mapped, done = cl.enqueue_map_buffer(
+                self._queue, buffer, flags, 0, *shape, is_blocking=False
             )
             self._mapped.append(mapped)
+        done.wait()
 
 
 class OpenCLBender:
