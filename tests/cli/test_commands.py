@@ -27,7 +27,7 @@ def recording(tmp_path: Path) -> Path:
 def test_a_recording_is_verified(reefgame: Run, recording: Path) -> None:
     status, out, _ = reefgame("replay", recording, "--verify")
     assert status == 0
-    assert out.startswith("120 ticks, 2 checksums of 9 tables equal")
+    assert out.startswith("120 ticks, 2 checksums of 12 tables equal")
 
 
 def test_a_recording_cut_short_is_verified_to_its_last_checksum(
@@ -155,7 +155,7 @@ def test_an_unwritable_folder_costs_the_recording_not_the_dive(
         (("soak", "first_dive", "--ticks", "-5"), "number of ticks '-5': a whole number"),
         (("shot", "first_dive", "--from", "1,2", "-o", "x.png"), "point '1,2': three numbers"),
         (("replay", "none.replay", "--verify"), "none.replay:1:1: cannot be read: No such file"),
-        (("bench", "speed"), "no bench is called 'speed'; there are motor, step"),
+        (("bench", "speed"), "no bench is called 'speed'; there are motor, minds"),
         (("shot", "-o", "x.png"), "shot needs a level's name or --species NAME"),
         (("play", "first_dive", "--headless", "--record", "/dev/null/x"), "/dev/null/x: cannot"),
     ],

@@ -14,7 +14,17 @@ import assets
 import levels
 from components.mind import Role
 from components.skin import Gradient, Scales, Spots, Stripes
-from reefgame.content import ContentError, check, json_schema, load, load_species, new, read_species
+from components.species import Species
+from reefgame.content import (
+    Content,
+    ContentError,
+    check,
+    json_schema,
+    load,
+    load_species,
+    new,
+    read_species,
+)
 from reefgame.content.assembly import catalogue
 
 Write = Callable[[str, str | bytes], Path]
@@ -35,12 +45,19 @@ def test_the_sample_mods_are_without_fault(checkout: Path) -> None:
     assert [str(problem) for problem in check(mods)] == []
 
 
+def _named(content: Content, name: str) -> Species:
+    return next(species for species in content.species if species.name == name)
+
+
 def test_first_dive_is_what_the_issue_asks_for() -> None:
     content = load("first_dive")
     goal = content.level.objective.photograph
     assert (goal.species, goal.count, goal.within_m) == ("sardine", 12, 6)
-    assert sum(group.count for group in content.level.fishes) == 60
-    tang, sardine = content.species
+    counts = {group.species: 0 for group in content.level.fishes}
+    for group in content.level.fishes:
+        counts[group.species] += group.count
+    assert counts == {"sardine": 48, "blue_tang": 12, "angelfish": 3, "barracuda": 1}
+    tang, sardine = (_named(content, name) for name in ("blue_tang", "sardine"))
     assert (tang.name, tang.role, tang.schooling) == ("blue_tang", Role.PACIFIST, False)
     assert (sardine.name, sardine.role, sardine.schooling) == ("sardine", Role.PREY, True)
     assert sardine.length == 0.2
@@ -179,7 +196,7 @@ def test_a_stale_shipped_repertoire_is_passed_over(
     mod = write_mod("a", species={"s": "overrides: sardine\nswim: {lag_deg: 140}\n"})
     (mod / "repertoires").mkdir()
     shutil.copy(shipped("blue_tang"), mod / "repertoires" / "s.npz")
-    sardine = load("first_dive", [mod]).species[1].repertoire
+    sardine = _named(load("first_dive", [mod]), "sardine").repertoire
     assert len(list((tmp_path / "cache").iterdir())) == 1
     assert sardine.provenance["fingerprint"] in str(next((tmp_path / "cache").iterdir()))
 
@@ -190,7 +207,7 @@ def test_an_unwritable_cache_costs_time_only(
     blocked = write("cache", "a file where the folder should be")
     monkeypatch.setattr("reefgame.content.repertoires.cache_folder", lambda: blocked)
     mod = write_mod("a", species={"s": "overrides: sardine\nswim: {lag_deg: 141}\n"})
-    assert load("first_dive", [mod]).species[1].swim.lag_deg == 141
+    assert _named(load("first_dive", [mod]), "sardine").swim.lag_deg == 141
 
 
 @pytest.mark.parametrize("kind", ["mod", "species", "level"])

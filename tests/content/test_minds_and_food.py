@@ -120,7 +120,7 @@ def test_the_mind_of_a_file_becomes_temper_in_seconds_and_signs() -> None:
     assert temper.digestion == 480.0
     clown = load_species("clownfish").temper
     assert (clown.bright, clown.warm) == (0, 1)
-    assert clown.breeding == 360.0
+    assert clown.breeding == 2400.0
 
 
 PATCH = "food:\n  - {around_m: [-8, 0, -6], within_m: 2, particles: 30, meal_g: 0.1}\n\nobjective:"

@@ -80,10 +80,12 @@ def test_the_newborn_are_hungry_and_ready_in_every_degree(sea: "Sea") -> None:
     eaten = mind.eaten[:200] / senses.appetite[0]
     since = -mind.ate_at[:200] / senses.digestion[0]
     mated = -mind.mated_at[:200] / senses.breeding[0]
-    for share in (eaten, since, mated):
-        assert share.min() >= 0.0
-        assert share.max() <= 1.0
-        assert np.histogram(share, 4, (0.0, 1.0))[0].min() > 25
+    for share, least, most in ((eaten, 0.6, 1.6), (since, 0.0, 0.35), (mated, 0.0, 0.14)):
+        assert share.min() >= least
+        assert share.max() <= most + 1e-9
+        assert np.histogram(share, 4, (least, most))[0].min() > 25
+    hungry = eaten * (1.0 - since) < 0.75
+    assert 0.2 < hungry.mean() < 0.5
     assert abs(np.corrcoef([eaten, since, mated])[0, 1:]).max() < 0.25
     again = sea(fishes="{species: sardine, count: 200, around_m: [4, 0, -5], within_m: 3}")
     assert np.array_equal(again.population.mind.live("eaten"), mind.live("eaten"))

@@ -22,5 +22,5 @@ mkdir -p build/test-run
 cd build/test-run
 unset PYTHONPATH
 export REEFGAME_TEST_WHEEL=1 PYTHONSAFEPATH=1 OPENBLAS_NUM_THREADS=1
-exec "$wheel_env/bin/python" -m pytest --rootdir "$checkout" -c "$checkout/pyproject.toml" \
+exec "$wheel_env/bin/python" -m pytest -n logical --dist loadfile --rootdir "$checkout" -c "$checkout/pyproject.toml" \
     -o cache_dir="$checkout/build/pytest-cache" "$@" "$checkout/tests"
