@@ -19,6 +19,8 @@ _ROUNDS = 7
 def crowded(fishes: int, seed: int = 1) -> World:
     """Return first_dive with `fishes` fishes, the added ones in its own proportion of species."""
     world = World.build(load("first_dive"), seed)
+    for identity in sorted(world.population.fish.live("id").tolist())[fishes:]:
+        world.spawn.remove(identity)
     missing = fishes - world.population.count
     shares = np.bincount(world.population.fish.live("species"), minlength=len(world.species))
     reach, deep = 0.8 * world.terrain.radius, 0.5 * world.terrain.depth
