@@ -23,7 +23,6 @@ PACKED: Final = 16
 REACH_AT: Final = 3
 KIND_AT: Final = 7
 
-_SOURCE: Final = int(SingularityKind.SOURCE)
 _HOLE: Final = int(SingularityKind.HOLE)
 _WHIRLWIND: Final = int(SingularityKind.WHIRLWIND)
 _DIRECTIONAL: Final = int(SingularityKind.DIRECTIONAL)

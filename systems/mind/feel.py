@@ -29,9 +29,6 @@ MATE_NEAR: Final = 1.0 / 4.0
 OVERFULL: Final = 2.0
 """Appetites in the stomach from which nothing tempts any more."""
 
-COWARD: Final = 2.5
-"""D0 of a coward over D0 of others (500 and 200 in the thesis)."""
-
 BRIGHT_FROM: Final = 0.45
 """Light that who likes it wants at least."""
 
