@@ -26,6 +26,8 @@ class CohortTable(Table):
     "tick at which they go, (capacity,)"
     present: Int8s = column(np.int8)
     "1 from arrival until they leave, (capacity,)"
+    hunger: Float64s = column(np.float64, fill=np.nan)
+    "how hungry they come, -1 to 1; NaN: fed at different times, (capacity,)"
     restock: Int64s = column(np.int64, fill=NEVER)
     "[ticks] from a fish being eaten to another's coming, `NEVER` for none, (capacity,)"
 

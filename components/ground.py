@@ -8,13 +8,16 @@ calls with the height field alone.
 
 from collections.abc import Sequence
 from math import floor, sqrt
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from components.arrays import Float64s, Int32s
 from components.kernels import inlined, row
 from components.rocks import ROCK_REACH, SQUARE, Rock, list_rocks, pack_rocks
+
+STRAY: Final = 1.2
+"""[m] that fishes swim about their home point."""
 
 
 class Terrain(NamedTuple):
@@ -37,7 +40,7 @@ class Terrain(NamedTuple):
     rock_axes: Float64s
     "rotation of the rock about z: cosine and sine of its yaw, (K, 2)"
     home: Float64s
-    "[m] home points, (P, 3)"
+    "[m] home points, and how far about them their fishes stray, (P, 4)"
     home_species: Int32s
     "row in the species table of who lives there, (P,)"
     rock_squares: int
@@ -81,12 +84,16 @@ class Terrain(NamedTuple):
                 roof[i * side + j] = max(self.height[a:b, c:d].max(), *rocks, -self.depth)
         return roof
 
-    def with_homes(self, homes: Sequence[tuple[tuple[float, ...], int]]) -> "Terrain":
+    def with_homes(
+        self, homes: Sequence[tuple[tuple[float, ...], int]], stray: Sequence[float] = ()
+    ) -> "Terrain":
         """Return this world with these home points: ((x, y) or (x, y, z) [m], species row) each.
 
-        A point without z stands on the ground.
+        A point without z stands on the ground. `stray` [m]: how far about each its fishes swim, `STRAY` if not
+        given.
         """
-        points = np.zeros((len(homes), 3))
+        points = np.full((len(homes), 4), STRAY)
+        points[: len(stray), 3] = stray
         for point, (at, _) in zip(points, homes, strict=True):
             point[: len(at)] = at
             if len(at) == 2:

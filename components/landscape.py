@@ -76,7 +76,7 @@ def build_terrain(
         rock_centre=nothing,
         rock_radii=nothing,
         rock_axes=np.zeros((0, 2)),
-        home=nothing,
+        home=np.zeros((0, 4)),
         home_species=indices,
         rock_squares=1,
         rock_first=np.zeros(2, np.int32),

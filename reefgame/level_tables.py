@@ -33,6 +33,7 @@ def cohorts_of(level: Level, species: list[str]) -> CohortTable:
         table.within[at] = group.within_m
         table.arrives[at] = round(group.arrives_s * TICKS_PER_SECOND)
         table.leaves[at] = _ticks(group.leaves_s, NEVER)
+        table.hunger[at] = np.nan if group.hunger is None else group.hunger
         table.restock[at] = _ticks(group.restock_s, NEVER)
     return table
 

@@ -127,7 +127,7 @@ def _terrain(content: Content) -> Terrain:
     level = content.level
     names = [species.name for species in content.species]
     homes = [(home.at_m, names.index(home.species)) for home in level.homes]
-    return terrain_of(level).with_homes(homes)
+    return terrain_of(level).with_homes(homes, [home.within_m for home in level.homes])
 
 
 def _submarine(level: Level) -> SubmarineTable:

@@ -22,7 +22,7 @@ from systems.mind.behave.escape import escape, find_shelter
 from systems.mind.behave.leave import leave
 from systems.mind.behave.mate import JILTED, MATED, mate
 from systems.mind.behave.school import heed, roam, school
-from systems.mind.behave.wander import depart, visit, wander
+from systems.mind.behave.wander import depart, nearest_home, visit, wander
 from systems.mind.grid import Crowd
 from systems.mind.intend import (
     AVOID_FISH,
@@ -101,6 +101,18 @@ def _shun(danger: Float64s, fear: float, out: Float64s) -> None:
     size = sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2])
     push = _SHUN * fear * size / (sqrt(dx * dx + dy * dy + dz * dz) + 1e-9)
     out[0], out[1], out[2] = out[0] - push * dx, out[1] - push * dy, out[2] - 0.5 * push * dz
+
+
+@row
+def _roam_at_home(
+    terrain: Terrain, kind: int, x: float, y: float, seed: int, cohort: int, now: int
+) -> tuple[float, float, float]:
+    """Return the place [m] to which a school travels, about the nearest home point of its kind where it has one."""
+    home = nearest_home(terrain, kind, x, y)
+    if home < 0:
+        return roam(seed, cohort, now, terrain.radius)
+    a, b, up = roam(seed, cohort, now, terrain.home[home, 3])
+    return terrain.home[home, 0] + a, terrain.home[home, 1] + b, up
 
 
 @row
@@ -234,7 +246,7 @@ def act(
     low, high = liked_depth(terrain, x, y, length, senses.deep[kind], senses.shallow[kind])
     calm = intention in (SCHOOL, WANDER, LEAVE)
     if intention == SCHOOL:
-        to_x, to_y, up = roam(scene.seed, minds.cohort[i], now, terrain.radius)
+        to_x, to_y, up = _roam_at_home(terrain, kind, x, y, scene.seed, minds.cohort[i], now)
         blocked = min(max(3.0 - 2.0 * obstacle, 0.0), 1.0)
         gear, urgency, throttle = school(
             crowd, me, attention.near[piece], attention.distance[piece], found, shoal, number,

@@ -157,6 +157,8 @@ class Spawn:
             fish.length[at] = kind.length * (1.0 + kind.length_spread * v)
             self._set_moving(at, identity, species)
             self._set_appetite(at, identity, kind)
+            if cohort >= 0:
+                self._set_hunger(at, float(self.cohorts.hunger[cohort]), kind)
         fish.last_position[rows] = fish.position[rows]
         fish.last_rotation[rows] = fish.rotation[rows]
         self.entities.add(ids)
@@ -188,6 +190,12 @@ class Spawn:
         mind.mated_at[at] = now - int(
             _LONGEST_CHASTE * mated * kind.temper.breeding * TICKS_PER_SECOND
         )
+
+    def _set_hunger(self, at: int, hunger: float, kind: Species) -> None:
+        """Let it come as hungry as its group says, NaN where the group says nothing."""
+        if hunger == hunger:
+            mind = self.population.mind
+            mind.eaten[at], mind.ate_at[at] = (1.0 - hunger) * kind.temper.appetite, self.clock.now
 
     def _set_moving(self, at: int, identity: int, species: int) -> None:
         motor, mind, library = self.population.motor, self.population.mind, self.library

@@ -1,4 +1,6 @@
-"""The school of first_dive, fed and not in the mood, is polarised, near, longer than wide and flatter than long."""
+"""The school of first_dive, fed and not in the mood: polarised, near, longer than wide where no home binds it."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,7 +21,9 @@ def sardines(world: World) -> tuple[Float64s, Float64s, Float64s]:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_school_is_polarised_near_and_longer_than_wide_or_high(seed: int) -> None:
-    world = World.build(load("first_dive"), seed)
+    content = load("first_dive")
+    roaming = content.level.model_copy(update={"homes": ()})
+    world = World.build(replace(content, level=roaming), seed)
     mind = world.population.mind
     mind.eaten[: mind.count], mind.ate_at[: mind.count] = 100.0, 0
     mind.mated_at[: mind.count] = 40 * 60
@@ -36,3 +40,16 @@ def test_a_school_is_polarised_near_and_longer_than_wide_or_high(seed: int) -> N
     long, wide, high = (np.std(position @ axis) for axis in (ahead, aside, np.eye(3)[2]))
     assert long > 1.2 * wide
     assert long > 1.5 * high
+
+
+def test_a_school_keeps_to_its_home() -> None:
+    world = World.build(load("first_dive"), 1)
+    kind = [s.name for s in world.species].index("sardine")
+    home = world.terrain.home[world.terrain.home_species == kind][0]
+    away = []
+    for tick in range(60 * 60):
+        world.tick()
+        if tick % 60 == 59:
+            away.append(np.linalg.norm(sardines(world)[0].mean(axis=0)[:2] - home[:2]))
+    assert np.median(away) < home[3]
+    assert max(away) < home[3] + 4.0

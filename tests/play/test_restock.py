@@ -100,3 +100,12 @@ def test_a_sea_with_nobody_or_one_lives_on(sea: "Sea", count: int) -> None:
         world.tick()
     assert world.population.count == count
     assert np.isfinite(world.population.fish.live("position")).all()
+
+
+def test_a_group_comes_as_hungry_as_its_level_says(sea: "Sea") -> None:
+    school = "{{species: sardine, count: 5, around_m: [4, 0, -5], within_m: 3, hunger: {}}}"
+    for hunger in (1.0, 0.25, -1.0):
+        world = sea(fishes=school.format(hunger))
+        mind, appetite = world.population.mind, world.senses.appetite[0]
+        np.testing.assert_allclose(mind.eaten[:5], (1.0 - hunger) * appetite)
+        assert mind.ate_at[:5].tolist() == [0] * 5

@@ -9,6 +9,7 @@ from typing import Annotated, Literal, TypeAlias
 from pydantic import Field, StringConstraints, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
+from components.ground import STRAY
 from reefgame.content.schema.strict import (
     TITLE_PATTERN,
     Fraction,
@@ -103,6 +104,8 @@ class Home(Strict):
 
     at_m: Ground
     species: Reference
+    within_m: Annotated[float, Field(ge=0.2, le=100.0)] = STRAY
+    """How far about it they swim, and how high above it; a school travels about within it."""
 
 
 class Start(Strict):
@@ -122,6 +125,8 @@ class Group(Strict):
     arrives_s: Seconds = 0.0
     leaves_s: Seconds | None = None
     """null: they stay."""
+    hunger: Annotated[float, Field(ge=-1.0, le=1.0)] | None = None
+    """How hungry they come: 1 starved, 0 full, though food still tempts, -1 sated; null: fed at different times."""
     restock_s: Seconds | None = 120.0
     """How long after a fish was eaten another comes in its place; null: none ever does."""
 

@@ -54,9 +54,9 @@ _PART: Final = 1.2
 
 @row
 def roam(seed: int, cohort: int, now: int, radius: float) -> tuple[float, float, float]:
-    """Return the place to which a cohort travels in the tick `now`: x and y [m], and its height.
+    """Return the place to which a cohort travels in the tick `now`: x and y [m] from the middle, and its height.
 
-    Places follow each other a quarter turn on around the reef; chance says how far out, and how high
+    Places follow each other a quarter turn on around a reef of `radius` [m]; chance says how far out, and how high
     between the lowest, 0, and the highest, 1, water that the species likes.
     """
     turn = (now + 997 * cohort) // ROAM_TICKS

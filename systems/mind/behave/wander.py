@@ -23,7 +23,6 @@ LOOK_TICKS: Final = 300
 """[ticks] for which a curious fish stands and looks before it goes round."""
 
 _STRAY: Final = 4.0
-_AT_HOME: Final = 1.2
 _LIFT: Final = 0.7
 _SLOPE: Final = 0.3
 _LEAP: Final = 12.0
@@ -56,7 +55,8 @@ def choose_place(
     b = 2.0 * uniform(seed, WANDER, 4 * now + 3, identity) - 1.0
     home = nearest_home(terrain, kind, x, y)
     if home >= 0:
-        tx, ty = terrain.home[home, 0] + _AT_HOME * a, terrain.home[home, 1] + _AT_HOME * b
+        stray = terrain.home[home, 3]
+        tx, ty = terrain.home[home, 0] + stray * a, terrain.home[home, 1] + stray * b
     elif len(terrain.rock_centre) > 0 and v < 0.75:
         rock = int(u * len(terrain.rock_centre))
         room = _STRAY + max(terrain.rock_radii[rock, 0], terrain.rock_radii[rock, 1])
@@ -91,7 +91,7 @@ def depart(
     bottom = ground_height(terrain.height, terrain.extent, terrain.cell, tx, ty) + 0.5
     home = nearest_home(terrain, kind, x, y)
     if home >= 0:
-        high = min(high, terrain.home[home, 2] + _AT_HOME)
+        high = min(high, terrain.home[home, 2] + terrain.home[home, 3])
     tz = max(low, bottom) + _LIFT * u * u * u * max(high - max(low, bottom), 0.0)
     dx, dy, dz = tx - x, ty - y, tz - z
     level = sqrt(dx * dx + dy * dy)
