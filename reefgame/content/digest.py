@@ -9,6 +9,7 @@ import json
 from collections.abc import Mapping
 from typing import Any, Final
 
+from components.flora import Anemone, Flora, Form
 from components.repertoire import Repertoire
 from reefgame.content.schema.level import Level
 from reefgame.content.schema.species import SpeciesFile
@@ -32,11 +33,17 @@ _SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
 
 
 def content_hash(
-    level: Level, species: Mapping[str, SpeciesFile], repertoires: Mapping[str, Repertoire]
+    level: Level,
+    species: Mapping[str, SpeciesFile],
+    repertoires: Mapping[str, Repertoire],
+    floras: Mapping[str, Flora],
 ) -> str:
     """Return 32 hex digits that change with whatever a dive in `level` can depend on."""
     digest = hashlib.blake2b(digest_size=16)
-    _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS)))
+    left_out = _LEVEL_WORDS if level.plants else _LEVEL_WORDS | {"plants"}
+    _add(digest, level.model_dump(mode="json", exclude=set(left_out)))
+    for name, flora in floras.items():
+        _add(digest, {name: [flora.room, flora.stands, _felt(flora.form)]})
     for name in sorted(species):
         _add(digest, {name: species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)})
         for segment in repertoires[name].segments:
@@ -45,6 +52,14 @@ def content_hash(
             digest.update(segment.translation.astype("<f8").tobytes())
             digest.update(segment.shape.astype("<f4").tobytes())
     return digest.hexdigest()
+
+
+def _felt(form: Form) -> list[Any]:
+    """Return what fishes feel of a plant: the cap of an anemone's tentacles and what it does to them."""
+    if not isinstance(form, Anemone):
+        return []
+    lengths = [*form.foot.length, *form.tentacle.length]
+    return [form.radius, *lengths, form.stings, form.holds]
 
 
 def _add(digest: "hashlib.blake2b", value: Any) -> None:
