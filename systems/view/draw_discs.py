@@ -23,8 +23,8 @@ FAR_PIXELS: Final = 12.0
 LEAST_PIXELS: Final = 1.0
 """[px] below which it is left out."""
 _RINGS: Final = (
-    ((-1.0, -0.30, 0.05), (-0.25, -0.16, 0.25), (0.0, 0.03, 0.75)),
-    ((0.12, 0.04, 1.0), (0.5, 0.0, 0.85), (1.0, 0.0, 0.6), (1.04, -0.12, 0.4)),
+    ((-1.0, -0.30, 0.03), (-0.25, -0.12, 0.2), (0.0, 0.035, 0.8)),
+    ((0.12, 0.02, 0.9), (0.5, 0.0, 0.55), (0.9, 0.0, 0.4), (1.0, -0.03, 0.5), (1.01, -0.10, 0.45)),
 )
 """Part of the way from mouth to rim, height over the radius, how open to light: inside the mouth; the disc."""
 
