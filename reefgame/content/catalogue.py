@@ -18,6 +18,7 @@ from reefgame.content.mods import (
     yaml_files,
 )
 from reefgame.content.nodes import Mapping, Mark, Node, Scalar, merged, without
+from reefgame.content.schema.flow import carried_by
 from reefgame.content.schema.level import Level, LevelFile
 from reefgame.content.schema.species import SpeciesFile
 from reefgame.content.schema.validate import node_at, validate
@@ -208,6 +209,12 @@ class Catalogue:
             "homes": tuple(
                 home.model_copy(update={"species": full("homes", i)})
                 for i, home in enumerate(file.homes)
+            ),
+            "flow": tuple(
+                carried_by(one, full("flow", i, "attached"))
+                if one.attached is not None and one.attached.species is not None
+                else one
+                for i, one in enumerate(file.flow)
             ),
         }
         wanted = {"species": full("objective", "photograph")}

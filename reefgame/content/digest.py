@@ -19,6 +19,7 @@ _SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
     "like": True,
     "overrides": True,
     "skin": True,
+    "stirs": True,
     "body": {"snout": True},
     "fins": {
         "tail": {"upper": True, "lower": True, "slender": True},
@@ -36,9 +37,14 @@ def content_hash(
 ) -> str:
     """Return 32 hex digits that change with whatever a dive in `level` can depend on."""
     digest = hashlib.blake2b(digest_size=16)
-    _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS)))
+    # What came into the format later counts only where a file uses it: older dives stay known.
+    unused = set() if level.flow else {"flow"}
+    _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS) | unused))
     for name in sorted(species):
-        _add(digest, {name: species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)})
+        said = species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)
+        if said["mind"]["shelters"] is None:
+            del said["mind"]["shelters"]
+        _add(digest, {name: said})
         for segment in repertoires[name].segments:
             _add(digest, [int(segment.pattern), bool(segment.loops), len(segment.translation)])
             digest.update(segment.rotation.astype("<f8").tobytes())
