@@ -10,7 +10,7 @@ from components.food import GONE, FoodTable, PatchTable
 from components.habitat import Habitat
 from components.terrain import Terrain
 from reefgame.content.schema.level import Level
-from systems.play.feed import appear
+from systems.sea.drift import appear
 
 _SHARE: Final = {
     "sunrise": 0.0,

@@ -3,12 +3,14 @@
 pilot    the submarine obeys the player                                systems/player/pilot.py
 become   the player turns into a fish, and back                        systems/player/become.py
 obey     that fish does as the player orders                           systems/player/obey.py
+stir     singularities follow their key frames and carriers            systems/sea/stir.py
 think    a quarter of the fishes perceive, intend and behave           systems/mind/think.py
 bound    ground, rocks, surface and rim turn fishes inward             systems/motor/bound.py
 control  the secondary controller chooses segments and steers          systems/motor/control.py
 move     every fish plays its segment, warps and balances              systems/motor/move.py
 live     the nearest few run the muscle model, where that is asked for systems/motor/live.py
-feed     food drifts; open mouths suck in and swallow                  systems/play/feed.py
+drift    the flow carries food and fishes                             systems/sea/drift.py
+feed     open mouths suck in and swallow                              systems/play/feed.py
 spawn    the level's groups arrive and leave; the eaten are replaced   systems/play/spawn.py
 judge    photographs and objectives                                    systems/play/judge.py
 """
@@ -28,6 +30,8 @@ from systems.play.spawn import Spawn
 from systems.player.become import Become
 from systems.player.obey import Obey
 from systems.player.pilot import Pilot
+from systems.sea.drift import Drift
+from systems.sea.stir import Stir
 
 if TYPE_CHECKING:
     from reefgame.world import World
@@ -79,12 +83,14 @@ def schedule(world: "World") -> tuple[System, ...]:
         Pilot(world.submarine, orders, terrain, avatar),
         Become(avatar, orders, fishes, world.submarine, terrain, clock),
         Obey(avatar, orders, fishes, world.food, senses, terrain, clock),
+        Stir(world.singularities, world.key_frames, world.submarine, fishes, clock),
         Think(fishes, senses, terrain, world.submarine, clock, world.food, world.habitat),
         Bound(fishes, senses, terrain),
         Control(fishes, world.library, clock),
         move,
         *live(world, move.track),
-        Feed(fishes, world.food, world.patches, senses, terrain, world.spawn, clock),
+        Drift(world.singularities, fishes, world.food, world.patches, senses, terrain, clock),
+        Feed(fishes, world.food, world.patches, senses, world.spawn, clock),
         world.spawn,
         Judge(
             world.objective,

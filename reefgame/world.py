@@ -27,6 +27,7 @@ from reefgame.content import Content
 from reefgame.content.level_checks import terrain_of
 from reefgame.content.planting import planting
 from reefgame.content.schema.level import Level
+from reefgame.flow_tables import singularities_of
 from reefgame.level_tables import cohorts_of, food_of, habitat_of, patches_of
 from reefgame.schedule import schedule, spawner
 from reefgame.snapshot import Snapshot
@@ -64,6 +65,7 @@ class World:
         self.habitat: Habitat = habitat_of(content.level)
         self.senses: SenseTable = sense_table(self.species, self.library)
         self.submarine = _submarine(content.level)
+        self.singularities, self.key_frames = singularities_of(content.level, names, self.terrain)
         self.commands = CommandTable()
         self.avatar = AvatarTable()
         self.goals = _goals(content)
@@ -99,6 +101,7 @@ class World:
             "clock": self.clock,
             "commands": self.commands,
             "submarine": self.submarine,
+            "singularities": self.singularities,
             "avatar": self.avatar,
             "roster": self.roster,
             "cohorts": self.cohorts,

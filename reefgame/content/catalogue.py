@@ -19,6 +19,7 @@ from reefgame.content.mods import (
 )
 from reefgame.content.nodes import Mapping, Mark, Node, Scalar, merged, without
 from reefgame.content.schema.flora import FloraFile
+from reefgame.content.schema.flow import carried_by
 from reefgame.content.schema.level import Level, LevelFile
 from reefgame.content.schema.species import SpeciesFile
 from reefgame.content.schema.validate import node_at, validate
@@ -221,6 +222,12 @@ class Catalogue:
             "plants": tuple(
                 place.model_copy(update={"flora": full("plants", i, kind=FLORA)})
                 for i, place in enumerate(file.plants)
+            ),
+            "flow": tuple(
+                carried_by(one, full("flow", i, "attached"))
+                if one.attached is not None and one.attached.species is not None
+                else one
+                for i, one in enumerate(file.flow)
             ),
         }
         wanted = {"species": full("objective", "photograph")}

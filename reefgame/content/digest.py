@@ -20,6 +20,7 @@ _SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
     "like": True,
     "overrides": True,
     "skin": True,
+    "stirs": True,
     "body": {"snout": True},
     "fins": {
         "tail": {"upper": True, "lower": True, "slender": True},
@@ -40,12 +41,16 @@ def content_hash(
 ) -> str:
     """Return 32 hex digits that change with whatever a dive in `level` can depend on."""
     digest = hashlib.blake2b(digest_size=16)
-    left_out = _LEVEL_WORDS if level.plants else _LEVEL_WORDS | {"plants"}
-    _add(digest, level.model_dump(mode="json", exclude=set(left_out)))
+    # What came into the format later counts only where a file uses it: older dives stay known.
+    unused = {key for key in ("flow", "plants") if not getattr(level, key)}
+    _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS) | unused))
     for name, flora in floras.items():
         _add(digest, {name: [flora.room, flora.stands, _felt(flora.form)]})
     for name in sorted(species):
-        _add(digest, {name: species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)})
+        said = species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)
+        if said["mind"]["shelters"] is None:
+            del said["mind"]["shelters"]
+        _add(digest, {name: said})
         for segment in repertoires[name].segments:
             _add(digest, [int(segment.pattern), bool(segment.loops), len(segment.translation)])
             digest.update(segment.rotation.astype("<f8").tobytes())

@@ -11,6 +11,7 @@ from components.mind import Intention
 from reefgame.content import load
 from reefgame.world import World
 from systems.play.feed import Feed
+from systems.sea.drift import Drift
 
 SEA = """
 title: Pantry
@@ -32,11 +33,12 @@ Sea = Callable[..., World]
 
 
 class Table:
-    """Feeding alone, of a world in which nobody else does anything."""
+    """Drifting and feeding alone, of a world in which nobody else does anything."""
 
     def __init__(self, world: World) -> None:
         self.world = world
         self.feed = next(system for system in world.systems if isinstance(system, Feed))
+        self.drift = next(system for system in world.systems if isinstance(system, Drift))
         fish, mind = world.population.fish, world.population.mind
         fish.last_rotation[: fish.count] = fish.rotation[: fish.count] = np.array(
             [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]
@@ -81,6 +83,7 @@ class Table:
         fish = self.world.population.fish
         for _ in range(times):
             fish.last_position[: fish.count] = fish.position[: fish.count]
+            self.drift()
             self.feed()
             self.world.spawn()
             self.world.clock.tick[0] += 1

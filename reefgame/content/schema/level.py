@@ -16,6 +16,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from reefgame.content.schema.flow import Flows
 from reefgame.content.schema.strict import (
     TITLE_PATTERN,
     Fraction,
@@ -249,6 +250,8 @@ class LevelFile(Strict):
     submarine: Start
     fishes: Annotated[tuple[Group, ...], Field(max_length=400)] = ()
     food: Annotated[tuple[FoodPatch, ...], Field(max_length=200)] = ()
+    flow: Flows = ()
+    """Sources, holes, whirlwinds and currents: they carry food and fishes, and bend anemones and weeds."""
     objective: Objective
     prompts: Annotated[tuple[Prompt, ...], Field(max_length=20)] = ()
 
