@@ -136,18 +136,18 @@ def _add_shot(commands: "_Commands[argparse.ArgumentParser]") -> None:
 
 
 def _add_content(commands: "_Commands[argparse.ArgumentParser]") -> None:
-    check = commands.add_parser("check", help="check species, levels and mods")
+    check = commands.add_parser("check", help="check species, flora, levels and mods")
     check.add_argument("paths", type=Path, nargs="+", metavar="PATH")
     check.set_defaults(run=_check)
     listing = commands.add_parser("list", help="list what there is")
-    listing.add_argument("what", choices=("levels", "species", "mods"))
+    listing.add_argument("what", choices=("levels", "species", "flora", "mods"))
     listing.add_argument("--mod", type=Path, action="append", default=[], metavar="DIR")
     listing.set_defaults(run=_list)
     schema = commands.add_parser("schema", help="print a JSON Schema for editors")
-    schema.add_argument("kind", choices=("species", "level", "mod"))
+    schema.add_argument("kind", choices=("species", "flora", "level", "mod"))
     schema.set_defaults(run=_schema)
-    new = commands.add_parser("new", help="begin a mod, a species or a level")
-    new.add_argument("kind", choices=("mod", "species", "level"))
+    new = commands.add_parser("new", help="begin a mod, a species, a plant or a level")
+    new.add_argument("kind", choices=("mod", "species", "flora", "level"))
     new.add_argument("name")
     new.add_argument("--in", dest="folder", type=Path, default=Path(), metavar="DIR")
     new.set_defaults(run=_new)
@@ -316,6 +316,7 @@ def _list(options: argparse.Namespace) -> int:
     listing = {
         "levels": content.list_levels,
         "species": content.list_species,
+        "flora": content.list_flora,
         "mods": content.list_mods,
     }
     for line in listing[options.what](options.mod):

@@ -10,6 +10,7 @@ from components.cohort import RestockTable, Roster
 from components.command import Command, CommandTable
 from components.entities import Entities
 from components.fish import Population
+from components.flora import Plant
 from components.habitat import Habitat
 from components.live import MOST_LIVE, LiveTable
 from components.objective import ObjectiveTable, Photograph
@@ -24,6 +25,7 @@ from components.trigonometry import DEGREE
 from reefgame.checksum import table_checksum
 from reefgame.content import Content
 from reefgame.content.level_checks import terrain_of
+from reefgame.content.planting import planting
 from reefgame.content.schema.level import Level
 from reefgame.flow_tables import singularities_of
 from reefgame.level_tables import cohorts_of, food_of, habitat_of, patches_of
@@ -47,6 +49,10 @@ class World:
             [s.repertoire for s in content.species], spare=2 * self.live.count
         )
         self.terrain: Terrain = _terrain(content)
+        self.floras = content.floras
+        self.plants: tuple[Plant, ...] = planting(
+            content.level, content.floras, self.terrain
+        ).plants
         self.clock = Clock(seed)
         self.roster = Roster()
         names = [species.name for species in content.species]

@@ -164,9 +164,18 @@ def drift_some(
 
 
 @loop
-def drift_all(terrain: Terrain, water: Water, seed: int, plankton: Plankton, count: int) -> None:
+def drift_all(
+    terrain: Terrain,
+    field: Field,
+    grid: SphereGrid,
+    tick: int,
+    seed: int,
+    plankton: Plankton,
+    count: int,
+) -> None:
     """Carry all particles, on all threads."""
     for piece in numba.prange(_PIECES):
+        water = Water(field, grid, tick)
         begin, end = count * piece // _PIECES, count * (piece + 1) // _PIECES
         drift_some(terrain, water, seed, plankton, begin, end)
 
@@ -190,9 +199,18 @@ def carry_some(
 
 
 @loop
-def carry_all(terrain: Terrain, water: Water, speed: Float64s, fishes: Carried, count: int) -> None:
+def carry_all(
+    terrain: Terrain,
+    field: Field,
+    grid: SphereGrid,
+    tick: int,
+    speed: Float64s,
+    fishes: Carried,
+    count: int,
+) -> None:
     """Carry all fishes, on all threads."""
     for piece in numba.prange(_PIECES):
+        water = Water(field, grid, tick)
         begin, end = count * piece // _PIECES, count * (piece + 1) // _PIECES
         carry_some(terrain, water, speed, fishes, begin, end)
 
@@ -222,7 +240,7 @@ class Drift:
         if count < _SERIAL_BELOW:
             drift_some(self.terrain, water, seed, plankton, 0, count)
         else:
-            drift_all(self.terrain, water, seed, plankton, count)
+            drift_all(self.terrain, *water, seed, plankton, count)
         if empty(water.grid):
             return
         fish, number, speed = self.population.fish, self.population.count, self.senses.speed
@@ -230,7 +248,7 @@ class Drift:
         if number < _FEW_FISHES:
             carry_some(self.terrain, water, speed, fishes, 0, number)
         else:
-            carry_all(self.terrain, water, speed, fishes, number)
+            carry_all(self.terrain, *water, speed, fishes, number)
 
     def water(self) -> Water:
         """Return the flow of this tick; stale when singularities come or go, or after the next call."""

@@ -205,7 +205,7 @@ def test_food_drifts_alike_on_one_thread_and_on_all(sea: "Sea", table: "Table") 
     for now in range(200):
         table.tick()
         water = threads.water()._replace(tick=now)
-        drift_all(other.terrain, water, 3, threads.plankton(), other.food.count)
+        drift_all(other.terrain, *water, 3, threads.plankton(), other.food.count)
     for name in world.food.columns:
         assert np.array_equal(world.food.live(name), other.food.live(name))
 

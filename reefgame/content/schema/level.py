@@ -1,4 +1,4 @@
-"""What a level file may say: the world, its rocks and fishes, the submarine and what the player is to do.
+"""What a level file may say: the world, its rocks, plants and fishes, the submarine and what the player is to do.
 
 Places are [x, y] or [x, y, z] in metres; z is up and 0 at the surface, so 5 m down is -5. Angles are in degrees; a
 heading of 0 looks along x, 90 along y.
@@ -6,7 +6,14 @@ heading of 0 looks along x, 90 along y.
 
 from typing import Annotated, Literal, TypeAlias
 
-from pydantic import Field, StringConstraints, ValidationInfo, field_validator
+from pydantic import (
+    Field,
+    StringConstraints,
+    ValidationInfo,
+    WithJsonSchema,
+    field_validator,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
 from reefgame.content.schema.flow import Flows
@@ -25,6 +32,7 @@ Degrees: TypeAlias = Annotated[float, Field(ge=-360.0, le=360.0)]
 Seconds: TypeAlias = Annotated[float, Field(ge=0.0, le=36_000.0)]
 Current: TypeAlias = Annotated[float, Field(ge=-2.0, le=2.0)]
 Drift: TypeAlias = tuple[Current, Current, Current]
+PlantScale: TypeAlias = Annotated[float, Field(ge=0.1, le=10.0)]
 SemiAxis: TypeAlias = Annotated[float, Field(ge=0.1, le=50.0)]
 
 
@@ -97,6 +105,54 @@ class RockPlace(Strict):
     yaw_deg: Degrees = 0.0
     buried: Annotated[float, Field(ge=0.0, le=0.95)] = 0.35
     """How much of its height lies below the ground."""
+
+
+_SCALE = {"type": "number", "minimum": 0.1, "maximum": 10.0}
+
+
+class PlantPlace(Strict):
+    """Plants: one at a place, or several scattered around one."""
+
+    flora: Reference
+    at_m: Ground | None = None
+    """Where the one plant stands, on the ground or on the rock that is there."""
+    yaw_deg: Degrees = 0.0
+    """How that one is turned."""
+    count: Annotated[int, Field(ge=1, le=3000)] = 1
+    """How many are scattered around `around_m`."""
+    around_m: Ground | None = None
+    within_m: Annotated[float, Field(gt=0.0, le=500.0)] = 1.0
+    scale: Annotated[
+        tuple[PlantScale, PlantScale],
+        WithJsonSchema(
+            {"anyOf": [_SCALE, {"type": "array", "items": _SCALE, "minItems": 2, "maxItems": 2}]}
+        ),
+    ] = (1.0, 1.0)
+    """Size over that of the flora's file: a number, or [smallest, largest]."""
+    on: Literal["sand", "rock", "any"] | None = None
+    """What scattered ones stand on; null: what the flora likes."""
+
+    @field_validator("scale", mode="before")
+    @classmethod
+    def _both(cls, scale: object) -> object:
+        return (scale, scale) if isinstance(scale, (int, float)) else scale
+
+    @model_validator(mode="after")
+    def _one_or_many(self) -> "PlantPlace":
+        if (self.at_m is None) == (self.around_m is None):
+            message = "a plant stands `at_m`, or several are scattered `around_m`: one of the two"
+            raise PydanticCustomError("plants", message)
+        alone, single = self.at_m is not None, {"count", "within_m", "on"}
+        given = sorted(self.model_fields_set & (single if alone else {"yaw_deg"}))
+        if given:
+            message = "`{key}` goes with `{other}`"
+            context = {"key": given[0], "other": "around_m" if alone else "at_m"}
+            raise PydanticCustomError("plants", message, context)
+        if self.scale[0] > self.scale[1]:
+            raise PydanticCustomError("plants", "scale: the smallest comes first, then the largest")
+        if alone and self.scale[0] != self.scale[1]:
+            raise PydanticCustomError("plants", "the scale of one plant `at_m` is one number")
+        return self
 
 
 class Home(Strict):
@@ -189,6 +245,7 @@ class LevelFile(Strict):
     sun: Sun = Sun()
     day: Day = Day()
     rocks: Annotated[tuple[RockPlace, ...], Field(max_length=400)] = ()
+    plants: Annotated[tuple[PlantPlace, ...], Field(max_length=400)] = ()
     homes: Annotated[tuple[Home, ...], Field(max_length=200)] = ()
     submarine: Start
     fishes: Annotated[tuple[Group, ...], Field(max_length=400)] = ()
@@ -200,7 +257,7 @@ class LevelFile(Strict):
 
 
 class Level(LevelFile):
-    """A level as the game plays it: species are named in full."""
+    """A level as the game plays it: species and flora are named in full."""
 
     name: str
     """`mod:name`, or `name` in the base game."""
