@@ -95,6 +95,7 @@ def _add_play(commands: "_Commands[argparse.ArgumentParser]") -> None:
     play.add_argument("--record", type=Path, metavar="FILE", help="write the dive's replay here")
     play.add_argument("--size", type=_size, metavar="WxH", help="the window's size")
     _live_option(play)
+    _fibres_option(play)
     play.add_argument("--headless", action="store_true", help="no window: a scripted pilot dives")
     play.set_defaults(run=_play)
 
@@ -129,6 +130,7 @@ def _add_shot(commands: "_Commands[argparse.ArgumentParser]") -> None:
     shot.add_argument("--at", type=_point, metavar="X,Y,Z", help="looking at [m]")
     shot.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
     _live_option(shot)
+    _fibres_option(shot)
     shot.add_argument("-o", "--output", type=Path, required=True, metavar="OUT.png")
     shot.set_defaults(run=_shot)
 
@@ -210,6 +212,14 @@ def _live_option(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _fibres_option(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--fibres",
+        choices=("opencl", "numba"),
+        help="what bends the plants; both bend them alike",
+    )
+
+
 def _size(text: str) -> tuple[int, int]:
     match = re.fullmatch(r"([0-9]{1,5})x([0-9]{1,5})", text)
     if not match or not all(1 <= int(side) <= _LARGEST_SIDE for side in match.groups()):
@@ -261,7 +271,13 @@ def _play(options: argparse.Namespace) -> int:
     from reefgame.window import play
 
     return play(
-        options.level, options.mod, options.seed, options.record, options.size, options.live
+        options.level,
+        options.mod,
+        options.seed,
+        options.record,
+        options.size,
+        options.live,
+        options.fibres or "auto",
     )
 
 

@@ -40,6 +40,21 @@ def disc_mesh(sectors: int) -> tuple[Float32s, NDArray[np.uint32]]:
     return np.array(corners, np.float32), quads.ravel().astype(np.uint32)
 
 
+def dome_of(garden: Garden, disc: Disc) -> float:
+    """Return how high the middle of a disc stands over its rim, in its radii, as the tentacles rooted on it tell."""
+    tentacles = disc.tuft + 1
+    if tentacles >= len(garden.plant) or garden.plant[tentacles] != garden.plant[disc.tuft]:
+        return 0.0
+    foot = garden.points(garden.fibre(disc.tuft, disc.fibre)).astype(np.float64)
+    ahead = foot[-1] - foot[-2]
+    fibres = slice(garden.first_fibre[tentacles], garden.first_fibre[tentacles + 1])
+    roots = garden.position[garden.first_row[fibres], :, garden.lane[fibres]] - foot[-1]
+    high = roots @ (ahead / np.linalg.norm(ahead)) / disc.radius
+    out = np.sqrt(np.maximum((roots**2).sum(axis=1) / disc.radius**2 - high**2, 0.0))
+    inner = out < 0.95
+    return float(np.median(high[inner] / (1.0 - out[inner] ** 2))) if inner.any() else 0.0
+
+
 class DrawDiscs:
     """Draws a garden's discs. Reads its nodes; writes to the GPU only. `light` is of its tufts, `side` of its fibres."""
 
@@ -64,6 +79,7 @@ class DrawDiscs:
             self._constant[row, 3], self._constant[row, 7] = disc.radius, disc.mouth / disc.radius
             self._constant[row, 11:13] = disc.look, chance - np.floor(chance)
             self._constant[row, 13:15] = light[disc.tuft]
+            self._constant[row, 15] = dome_of(garden, disc)
         self._program = load_program("disc.vert.glsl", "fibre.frag.glsl", defines)
         gl.glUseProgram(self._program.id)
         gl.glUniform1i(uniform_location(self._program, "looks"), LOOKS_UNIT)
@@ -105,9 +121,7 @@ class DrawDiscs:
 
         gl.glBindVertexArray(self._arrays[level])
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[4])
-        gl.glBufferData(
-            gl.GL_ARRAY_BUFFER, records.nbytes, records.ctypes.data, gl.GL_STREAM_DRAW
-        )
+        gl.glBufferData(gl.GL_ARRAY_BUFFER, records.nbytes, records.ctypes.data, gl.GL_STREAM_DRAW)
         gl.glDrawElementsInstanced(
             gl.GL_TRIANGLES, self._counts[level], gl.GL_UNSIGNED_INT, c_void_p(0), len(records)
         )
@@ -118,9 +132,7 @@ class DrawDiscs:
         corners, indices = disc_mesh(SECTORS[level])
         gl.glBindVertexArray(self._arrays[level])
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[2 * level])
-        gl.glBufferData(
-            gl.GL_ARRAY_BUFFER, corners.nbytes, corners.ctypes.data, gl.GL_STATIC_DRAW
-        )
+        gl.glBufferData(gl.GL_ARRAY_BUFFER, corners.nbytes, corners.ctypes.data, gl.GL_STATIC_DRAW)
         gl.glEnableVertexAttribArray(0)
         gl.glVertexAttribPointer(0, 4, gl.GL_FLOAT, gl.GL_FALSE, 0, c_void_p(0))
         gl.glBindBuffer(gl.GL_ELEMENT_ARRAY_BUFFER, self._buffers[2 * level + 1])

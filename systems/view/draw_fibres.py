@@ -162,7 +162,8 @@ class DrawFibres:
         starts = np.cumsum(rings) - rings
         self._write_rings(fibre, rings, starts)
         records = np.empty((len(fibre), RECORD), np.float32)
-        records[:, 0], records[:, 1] = starts, rings
+        records[:, 0] = starts + rings - 1
+        records[:, 1] = np.pi * self.tufts.thickness[tuft[owner]]
         records[:, 2], records[:, 3] = self._tables.look[tuft[owner]], self._tables.chance[fibre]
         records[:, 4], records[:, 7] = self.tufts.length[tuft[owner]], wide[owner]
         records[:, 5:7] = self._tables.light[tuft[owner]]
@@ -209,9 +210,7 @@ class DrawFibres:
         from pyglet import gl
 
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._records)
-        gl.glBufferData(
-            gl.GL_ARRAY_BUFFER, records.nbytes, records.ctypes.data, gl.GL_STREAM_DRAW
-        )
+        gl.glBufferData(gl.GL_ARRAY_BUFFER, records.nbytes, records.ctypes.data, gl.GL_STREAM_DRAW)
 
     def _draw_piece(self, shape: int, level: int, rings: int, first: int, number: int) -> None:
         from pyglet import gl

@@ -18,27 +18,27 @@ FLAT: Final = 1
 """... a blade: seagrass, fronds."""
 WIDE: Final = 2
 """... a column: feet."""
-LEVELS: Final = 5
+LEVELS: Final = 6
 """Levels of detail of each shape: the last is the coarsest."""
 
 TRIANGLES: Final = 60_000
 """Most triangles of fibres on a picture."""
 
-PIXELS: Final = (9.0, 4.5, 2.2, 0.9)
+PIXELS: Final = (18.0, 9.0, 4.5, 2.2, 0.9)
 """[px] of thickness, of a blade's width, above which each level but the last is drawn."""
-WIDE_PIXELS: Final = (60.0, 24.0, 9.0, 3.0)
+WIDE_PIXELS: Final = (120.0, 60.0, 24.0, 9.0, 3.0)
 """[px] of a column's thickness likewise."""
-STEP_PIXELS: Final = (5.0, 9.0, 14.0, 20.0, 30.0)
+STEP_PIXELS: Final = (8.0, 8.0, 9.0, 12.0, 16.0, 24.0)
 """[px] between rings at each level: the fewer rings, the coarser."""
 
-SIDES: Final = ((6, 5, 3, 2, 2), (4, 2, 2, 2, 2), (18, 12, 7, 5, 3))
+SIDES: Final = ((8, 6, 4, 3, 2, 2), (4, 4, 2, 2, 2, 2), (24, 16, 10, 7, 5, 3))
 """Corners around a ring, by shape and level; of tubes two, and of blades all, make a ribbon."""
-CAPS: Final = ((2, 1, 1, 0, 0), (0, 0, 0, 0, 0), (0, 0, 0, 0, 0))
+CAPS: Final = ((2, 1, 1, 0, 0, 0), (0,) * LEVELS, (0,) * LEVELS)
 """Rings that round the tip, by shape and level; the last is a point."""
 MOST_RINGS: Final = 33
 """Of one fibre."""
-_LEAST_RINGS: Final = (4, 4, 3, 3, 2)
-_PARTS: Final = (1.0, 1.0, 1.0, 1.0, 0.5)
+_LEAST_RINGS: Final = (4, 4, 4, 3, 3, 2)
+_PARTS: Final = (1.0, 1.0, 1.0, 1.0, 1.0, 0.5)
 """Part of a tuft's fibres that are drawn at each level, wider for those that are not."""
 _COARSER: Final = 0.85
 

@@ -15,7 +15,8 @@ from components.arrays import AnyArray, Float32s
 from systems.view.fibre_levels import CAPS, FLAT, MOST_RINGS, SIDES
 
 RECORD: Final = 8
-"""Numbers of a fibre's record: first ring, rings, look, chance; length [m], sky and sun that reach it, widening."""
+"""Numbers of a fibre's record: ring of its tip, girth [m], look, chance; length [m], sky and sun that reach it, how
+much wider it is drawn."""
 
 
 def fibre_mesh(shape: int, level: int) -> tuple[Float32s, NDArray[np.uint32], int]:
@@ -76,9 +77,7 @@ class FibreMesh:
             place = c_void_p(4 * RECORD * first + 16 * k)
             gl.glVertexAttribPointer(1 + k, 4, gl.GL_FLOAT, gl.GL_FALSE, 4 * RECORD, place)
         count = self._head + (rings - 1) * self._band
-        gl.glDrawElementsInstanced(
-            gl.GL_TRIANGLES, count, gl.GL_UNSIGNED_INT, c_void_p(0), number
-        )
+        gl.glDrawElementsInstanced(gl.GL_TRIANGLES, count, gl.GL_UNSIGNED_INT, c_void_p(0), number)
 
     def delete(self) -> None:
         """Free the buffers."""

@@ -117,7 +117,7 @@ def stone_map() -> Float64s:
 def mark_map() -> Float64s:
     """Return marks on living skin, 4 along x by 4 along y: spots, bands, stripes, mottling, (SIDE, SIDE, 4) of 0..1."""
     rng = np.random.default_rng(2002)
-    wobble = 0.05 * spectral_noise(rng, 1.6, 1, 12)
+    wobble = 0.025 * spectral_noise(rng, 1.6, 1, 12)
     along, across = np.meshgrid(*(2 * [4.0 * np.arange(SIDE) / SIDE]), indexing="ij")
     rank = np.floor(along)
     cell_x, cell_y = along - rank - 0.5, (across + 0.5 * (rank % 2)) % 1.0 - 0.5

@@ -1,14 +1,17 @@
-// The oral disc of an anemone: a dome with a mouth, on the last node of its foot.
+// The oral disc of an anemone: a dome on the last node of its foot, bare around the mouth in its middle.
 #include "flora.glsl"
 layout(location = 0) in vec4 corner;   // part of the way from mouth to rim; turn; height over the radius; how free
 layout(location = 1) in vec4 place;    // middle [m], w radius [m]
-layout(location = 2) in vec4 side;     // w radius of the mouth over the disc's
+layout(location = 2) in vec4 side;     // w radius of what is bare over the disc's
 layout(location = 3) in vec4 ahead;    // w look
 layout(location = 4) in vec4 set;      // chance, sky and sun that reach it, height of the dome over the radius
 
+const float MOUTH = .34;   // of what is bare
+
 void main() {
     Part part = look_of(ahead.w, set.x);
-    float angle = 6.2831853 * corner.y, out_to = mix(side.w, 1., corner.x);
+    if (corner.x < -.1) part.root *= .22;
+    float angle = 6.2831853 * corner.y, out_to = mix(MOUTH * side.w, 1., corner.x);
     vec3 over = cross(ahead.xyz, side.xyz), out_of = cos(angle) * side.xyz + sin(angle) * over;
     // Folds run from the mouth to the rim.
     float inside = smoothstep(0., .3, corner.x) * (1. - smoothstep(.8, 1., corner.x));

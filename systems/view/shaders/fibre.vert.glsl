@@ -2,7 +2,7 @@
 // middle. RIBBON: seen so small that a strip which faces the eye serves.
 #include "flora.glsl"
 layout(location = 0) in vec4 corner;   // ring from the tip; turn around it; way beyond it, part of its radius left
-layout(location = 1) in vec4 strip;    // first ring, rings, look, chance
+layout(location = 1) in vec4 strip;    // ring of the tip, girth [m], look, chance
 layout(location = 2) in vec4 set;      // length [m], sky and sun that reach it, widening
 
 uniform sampler2D rings;   // 3 texels a ring, RINGS_A_ROW a row: place, radius | side, way [m] | direction, slope
@@ -21,7 +21,7 @@ float freedom(float kind, float way) {
 }
 
 void main() {
-    int number = int(strip.x + strip.y - 1. - corner.x + .5);
+    int number = int(strip.x - corner.x + .5);
     vec4 place = ring_at(number, 0), side = ring_at(number, 1), ahead = ring_at(number, 2);
     Part part = look_of(strip.z, strip.w);
     float way = clamp(side.w / max(set.x, 1e-4), 0., 1.), radius = place.w * set.w;
@@ -45,8 +45,9 @@ void main() {
     upright = normalize(corner.w * (out_of - ahead.w * ahead.xyz) + corner.z * ahead.xyz);
 #endif
     // Spots are round: as far apart around a fibre as along it. Stripes are counted around.
-    float around = max(floor(part.pattern.w * 6.2832 * place.w / max(set.x, 1e-3) + .5), 2.);
+    float around = max(floor(part.pattern.w * strip.y / max(set.x, 1e-3) + .5), 2.);
     if (part.code == 3.) around = max(floor(part.pattern.w + .5), 2.);
-    if (part.code == 0.) around = part.kind == BLADE || part.kind == FROND ? 5. : 4.;
+    else if (part.code == 0. && part.kind >= BLADE) around = 5.;
+    else if (part.code == 0. || part.code == 4. || around > 5.) around = 4. * max(floor(.25 * around + .5), 1.);
     show(part, world, upright, way, turn * around, freedom(part.kind, way), set.yz, strip.w);
 }
