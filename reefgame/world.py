@@ -13,6 +13,7 @@ from components.cohort import RestockTable, Roster
 from components.command import Command, CommandTable
 from components.entities import Entities
 from components.fish import Population
+from components.flora import Plant
 from components.habitat import Habitat
 from components.live import MOST_LIVE, LiveTable
 from components.objective import ObjectiveTable, Photograph
@@ -27,9 +28,10 @@ from components.trigonometry import DEGREE
 from reefgame.checksum import table_checksum
 from reefgame.content import Content
 from reefgame.content.level_checks import terrain_of
+from reefgame.content.planting import planting
 from reefgame.content.schema.level import Level
 from reefgame.flow_tables import singularities_of
-from reefgame.level_tables import cohorts_of, food_of, habitat_of, patches_of, shelters_of
+from reefgame.level_tables import caps_of, cohorts_of, food_of, habitat_of, patches_of, shelters_of
 from reefgame.schedule import schedule, spawner
 from reefgame.snapshot import Snapshot
 from systems.motor.live import Live
@@ -51,8 +53,14 @@ class World:
         self.library: RepertoireLibrary = pack(
             [s.repertoire for s in content.species], spare=2 * self.live.count
         )
+        self.terrain: Terrain = terrain_of(content.level)
+        self.floras = content.floras
+        self.plants: tuple[Plant, ...] = planting(
+            content.level, content.floras, self.terrain
+        ).plants
+        caps = [*caps_of(self.plants, self.floras), *caps]
         self.anemones: AnemoneTable = anemone_table(caps)
-        self.terrain: Terrain = _terrain(content, caps)
+        self.terrain = _with_homes(self.terrain, content, caps)
         self.clock = Clock(seed)
         self.roster = Roster()
         names = [species.name for species in content.species]
@@ -136,13 +144,12 @@ class World:
                 system.restored()
 
 
-def _terrain(content: Content, caps: Sequence[Cap]) -> Terrain:
-    level = content.level
+def _with_homes(terrain: Terrain, content: Content, caps: Sequence[Cap]) -> Terrain:
     names = [species.name for species in content.species]
     homes: list[tuple[tuple[float, ...], int]] = [
-        (home.at_m, names.index(home.species)) for home in level.homes
+        (home.at_m, names.index(home.species)) for home in content.level.homes
     ]
-    return terrain_of(level).with_homes([*homes, *shelters_of(caps, content.species)])
+    return terrain.with_homes([*homes, *shelters_of(caps, content.species)])
 
 
 def _submarine(level: Level) -> SubmarineTable:

@@ -9,6 +9,7 @@ import json
 from collections.abc import Mapping
 from typing import Any, Final
 
+from components.flora import Anemone, Flora, Form
 from components.repertoire import Repertoire
 from reefgame.content.schema.level import Level
 from reefgame.content.schema.species import SpeciesFile
@@ -33,13 +34,18 @@ _SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
 
 
 def content_hash(
-    level: Level, species: Mapping[str, SpeciesFile], repertoires: Mapping[str, Repertoire]
+    level: Level,
+    species: Mapping[str, SpeciesFile],
+    repertoires: Mapping[str, Repertoire],
+    floras: Mapping[str, Flora],
 ) -> str:
     """Return 32 hex digits that change with whatever a dive in `level` can depend on."""
     digest = hashlib.blake2b(digest_size=16)
     # What came into the format later counts only where a file uses it: older dives stay known.
-    unused = set() if level.flow else {"flow"}
+    unused = {key for key in ("flow", "plants") if not getattr(level, key)}
     _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS) | unused))
+    for name, flora in floras.items():
+        _add(digest, {name: [flora.room, flora.stands, _felt(flora.form)]})
     for name in sorted(species):
         said = species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)
         if said["mind"]["shelters"] is None:
@@ -51,6 +57,14 @@ def content_hash(
             digest.update(segment.translation.astype("<f8").tobytes())
             digest.update(segment.shape.astype("<f4").tobytes())
     return digest.hexdigest()
+
+
+def _felt(form: Form) -> list[Any]:
+    """Return what fishes feel of a plant: the cap of an anemone's tentacles and what it does to them."""
+    if not isinstance(form, Anemone):
+        return []
+    lengths = [*form.foot.length, *form.tentacle.length]
+    return [form.radius, *lengths, form.stings, form.holds]
 
 
 def _add(digest: "hashlib.blake2b", value: Any) -> None:
