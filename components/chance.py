@@ -27,6 +27,7 @@ SEX: Final = 13
 MATED: Final = 14
 RESTOCK: Final = 15
 WHIM: Final = 16
+PLANT: Final = 20
 
 
 @row

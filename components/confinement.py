@@ -12,6 +12,12 @@ from components.arrays import Float64s
 from components.ground import Terrain, ground_height, rock_square, to_rock
 from components.kernels import inlined, row
 
+MARGIN: Final = 0.5
+"""How far a fish's origin keeps from ground, rocks, surface and rim, over its length."""
+
+WIDEST_MARGIN: Final = 0.9
+"""[m]: shallow water must stay passable to giants."""
+
 _ROUNDS: Final = 12
 _LEVEL_FROM: Final = 3
 _FARTHEST: Final = 1e12
@@ -114,6 +120,12 @@ def _to_free_column(terrain: Terrain, p: Float64s, margin: float) -> None:
                 if floor <= -margin:
                     p[0], p[1], p[2] = tx, ty, max(floor, min(p[2], -margin))
                     return
+
+
+@inlined
+def berth(length: float) -> float:
+    """Return how far [m] the origin of a fish of this length [m] keeps from all that bounds the water."""
+    return min(MARGIN * length, WIDEST_MARGIN)
 
 
 @inlined

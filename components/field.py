@@ -11,10 +11,11 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from components.arrays import Float32s, Float64s, Int32s
+from components.arrays import Float32s, Float64s, Int8s, Int32s
 from components.clock import TICK_SECONDS
 from components.kernels import inlined, row
 from components.singularity import SingularityKind, SingularityTable
+from components.sphere_grid import SphereGrid, square_at
 from components.trigonometry import sine
 
 PACKED: Final = 16
@@ -46,6 +47,7 @@ class Field(NamedTuple):
     frequency: Float64s
     amplitude: Float64s
     phase: Float64s
+    there: Int8s
 
 
 def field_of(table: SingularityTable) -> Field:
@@ -70,7 +72,7 @@ def flow_of(
     qx, qy, qz = x - field.position[k, 0], y - field.position[k, 1], z - field.position[k, 2]
     d2 = qx * qx + qy * qy + qz * qz
     push = field.intensity[k] * window(d2, field.reach[k])
-    if push == 0.0:
+    if push == 0.0 or field.there[k] == 0:
         return 0.0, 0.0, 0.0
     ax, ay, az = field.axis[k, 0], field.axis[k, 1], field.axis[k, 2]
     if field.kind[k] == _DIRECTIONAL:
@@ -103,6 +105,19 @@ def flow(field: Field, tick: int, x: float, y: float, z: float) -> tuple[float, 
     return u, v, w
 
 
+@row
+def flow_near(
+    field: Field, grid: SphereGrid, tick: int, x: float, y: float, z: float
+) -> tuple[float, float, float]:
+    """Return what `flow` returns, to the bit, asking only the singularities that `grid` lists near the point."""
+    u, v, w = 0.0, 0.0, 0.0
+    square = square_at(grid, x, y)
+    for at in range(grid.first[square], grid.first[square + 1]):
+        du, dv, dw = flow_of(field, grid.listed[at], tick, x, y, z)
+        u, v, w = u + du, v + dv, w + dw
+    return u, v, w
+
+
 def pack(table: SingularityTable, tick: float) -> Float32s:
     """Return the singularities as fibres read them at a tick, float32, (n, 16).
 
@@ -127,6 +142,7 @@ def pack(table: SingularityTable, tick: float) -> Float32s:
         out[:, 14] = 2.0 / (field.reach * field.reach)
         off = ~(np.isfinite(np.delete(out, REACH_AT, 1)).all(1) & (field.reach > _FINEST))
         off |= np.abs(out[:, :3]).max(1, initial=0.0) > _STRONGEST
+        off |= field.there == 0
         off |= (field.kind != _DIRECTIONAL) & ~(field.most > 0.0)
         out[off] = 0.0
         return out.astype(np.float32)

@@ -72,6 +72,8 @@ class SenseTable(NamedTuple):
     "1 likes warmth, -1 the cold, 0 does not mind, (S,)"
     mouth: Float64s
     "[BL] farthest from the nose at which a wide open mouth sucks in, (S,)"
+    at_home: Int8s
+    "1 where it shelters in anemones, which do not sting it, (S,)"
     nose: Float64s
     "[BL] from the body's origin forward to the nose, (S,)"
 
@@ -116,5 +118,6 @@ def sense_table(species: Sequence[Species], library: RepertoireLibrary) -> Sense
         bright=np.array([kind.temper.bright for kind in species], np.int8),
         warm=np.array([kind.temper.warm for kind in species], np.int8),
         mouth=np.array([SNAP if kind.temper.diet else MOUTH for kind in species], np.float64),
+        at_home=np.array([kind.temper.at_home for kind in species], np.int8),
         nose=np.array([kind.body.station[1] for kind in species], np.float64),
     )

@@ -22,6 +22,9 @@ FREE: Final = -1
 SUBMARINE: Final = -2
 """`attached` of a singularity that the submarine carries."""
 
+NOBODY: Final = -3
+"""`attached` of a singularity whose species has no fish in the water."""
+
 
 class SingularityKind(IntEnum):
     """What a singularity does to the water (papers/002, eqs. 2-5)."""
@@ -60,9 +63,17 @@ class SingularityTable(Table):
     phase: Float64s = column(np.float64)
     "[turns] of a current's waves at tick 0 in the origin, (capacity,)"
     attached: Int64s = column(np.int64, fill=FREE)
-    "id of the fish that carries it, FREE or SUBMARINE, (capacity,)"
+    "id of the fish that carries it, FREE, SUBMARINE or NOBODY, (capacity,)"
+    carrier: Int32s = column(np.int32, fill=-1)
+    "row of the species whose fish of the lowest id carries it, -1 for none, (capacity,)"
     offset: Float64s = column(np.float64, 3)
     "[m] from what carries it, in the carrier's body axes, (capacity, 3)"
+    carried_axis: Float64s = column(np.float64, 3)
+    "unit vector: `axis` in the carrier's body axes, (capacity, 3)"
+    drive: Float64s = column(np.float64)
+    "[m/s] of a jet at the engine's full throttle, 0 where no engine drives it, (capacity,)"
+    there: Int8s = column(np.int8, fill=1)
+    "0 while nobody carries it: then it does nothing, (capacity,)"
     track: Int32s = column(np.int32, fill=-1)
     "row of its key frames in `KeyFrames`, -1 for none, (capacity,)"
 

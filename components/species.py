@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from components.body import Body, Swim
 from components.mind import Role
 from components.repertoire import Repertoire
+from components.singularity import SingularityKind
 from components.skin import Skin
 
 
@@ -35,6 +36,22 @@ class Temper:
     "1 where it likes light, -1 where it likes the dark, 0 where it does not mind"
     warm: int = 0
     "1 where it likes warmth, -1 where it likes the cold, 0 where it does not mind"
+    at_home: bool = False
+    "whether it shelters in anemones, which do not sting it"
+
+
+@dataclass(frozen=True)
+class Stirs:
+    """What a passing fish is to anemones and weeds (papers/002, section 1)."""
+
+    kind: SingularityKind = SingularityKind.HOLE
+    "a source, that they bend away from, or a hole, that they reach for"
+    speed: float = 1.5
+    "[m/s] in its centre, Phi_max"
+    core: float = 0.3
+    "[m] from the centre at which that has fallen to a half"
+    reach: float = 1.5
+    "[m] beyond which nothing is felt; 0 where nothing is stirred"
 
 
 @dataclass(frozen=True)
@@ -61,3 +78,4 @@ class Species:
     skin: Skin
     repertoire: Repertoire
     temper: Temper = Temper()
+    stirs: Stirs = Stirs()

@@ -4,7 +4,7 @@ The data and its tests stand in ground.py, the hard guarantee in confinement.py,
 ground is made in landscape.py.
 """
 
-from components.confinement import confine
+from components.confinement import MARGIN, berth, confine
 from components.ground import (
     Terrain,
     clearance,
@@ -20,9 +20,11 @@ from components.rocks import ROCK_REACH, Rock
 from components.sightline import in_sight, sees
 
 __all__ = [
+    "MARGIN",
     "ROCK_REACH",
     "Rock",
     "Terrain",
+    "berth",
     "build_terrain",
     "clearance",
     "confine",

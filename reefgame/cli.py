@@ -95,6 +95,7 @@ def _add_play(commands: "_Commands[argparse.ArgumentParser]") -> None:
     play.add_argument("--record", type=Path, metavar="FILE", help="write the dive's replay here")
     play.add_argument("--size", type=_size, metavar="WxH", help="the window's size")
     _live_option(play)
+    _fibres_option(play)
     play.add_argument("--headless", action="store_true", help="no window: a scripted pilot dives")
     play.set_defaults(run=_play)
 
@@ -129,23 +130,24 @@ def _add_shot(commands: "_Commands[argparse.ArgumentParser]") -> None:
     shot.add_argument("--at", type=_point, metavar="X,Y,Z", help="looking at [m]")
     shot.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
     _live_option(shot)
+    _fibres_option(shot)
     shot.add_argument("-o", "--output", type=Path, required=True, metavar="OUT.png")
     shot.set_defaults(run=_shot)
 
 
 def _add_content(commands: "_Commands[argparse.ArgumentParser]") -> None:
-    check = commands.add_parser("check", help="check species, levels and mods")
+    check = commands.add_parser("check", help="check species, flora, levels and mods")
     check.add_argument("paths", type=Path, nargs="+", metavar="PATH")
     check.set_defaults(run=_check)
     listing = commands.add_parser("list", help="list what there is")
-    listing.add_argument("what", choices=("levels", "species", "mods"))
+    listing.add_argument("what", choices=("levels", "species", "flora", "mods"))
     listing.add_argument("--mod", type=Path, action="append", default=[], metavar="DIR")
     listing.set_defaults(run=_list)
     schema = commands.add_parser("schema", help="print a JSON Schema for editors")
-    schema.add_argument("kind", choices=("species", "level", "mod"))
+    schema.add_argument("kind", choices=("species", "flora", "level", "mod"))
     schema.set_defaults(run=_schema)
-    new = commands.add_parser("new", help="begin a mod, a species or a level")
-    new.add_argument("kind", choices=("mod", "species", "level"))
+    new = commands.add_parser("new", help="begin a mod, a species, a plant or a level")
+    new.add_argument("kind", choices=("mod", "species", "flora", "level"))
     new.add_argument("name")
     new.add_argument("--in", dest="folder", type=Path, default=Path(), metavar="DIR")
     new.set_defaults(run=_new)
@@ -210,6 +212,14 @@ def _live_option(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _fibres_option(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--fibres",
+        choices=("opencl", "numba"),
+        help="what bends the plants; both bend them alike",
+    )
+
+
 def _size(text: str) -> tuple[int, int]:
     match = re.fullmatch(r"([0-9]{1,5})x([0-9]{1,5})", text)
     if not match or not all(1 <= int(side) <= _LARGEST_SIDE for side in match.groups()):
@@ -261,7 +271,13 @@ def _play(options: argparse.Namespace) -> int:
     from reefgame.window import play
 
     return play(
-        options.level, options.mod, options.seed, options.record, options.size, options.live
+        options.level,
+        options.mod,
+        options.seed,
+        options.record,
+        options.size,
+        options.live,
+        options.fibres or "auto",
     )
 
 
@@ -300,6 +316,7 @@ def _list(options: argparse.Namespace) -> int:
     listing = {
         "levels": content.list_levels,
         "species": content.list_species,
+        "flora": content.list_flora,
         "mods": content.list_mods,
     }
     for line in listing[options.what](options.mod):

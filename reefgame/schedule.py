@@ -3,12 +3,16 @@
 pilot    the submarine obeys the player                                systems/player/pilot.py
 become   the player turns into a fish, and back                        systems/player/become.py
 obey     that fish does as the player orders                           systems/player/obey.py
+stir     singularities follow their key frames and carriers            systems/sea/stir.py
 think    a quarter of the fishes perceive, intend and behave           systems/mind/think.py
+sting    anemones sting who is not at home in them: it flees           systems/play/sting.py
 bound    ground, rocks, surface and rim turn fishes inward             systems/motor/bound.py
 control  the secondary controller chooses segments and steers          systems/motor/control.py
 move     every fish plays its segment, warps and balances              systems/motor/move.py
 live     the nearest few run the muscle model, where that is asked for systems/motor/live.py
-feed     food drifts; open mouths suck in and swallow                  systems/play/feed.py
+drift    the flow carries food and fishes                             systems/sea/drift.py
+hold     anemones hold and eat small fishes that touch them            systems/play/hold.py
+feed     open mouths suck in and swallow                              systems/play/feed.py
 spawn    the level's groups arrive and leave; the eaten are replaced   systems/play/spawn.py
 judge    photographs and objectives                                    systems/play/judge.py
 """
@@ -23,11 +27,15 @@ from systems.motor.move import Move
 from systems.motor.strokes import strokes
 from systems.motor.track import Track
 from systems.play.feed import Feed
+from systems.play.hold import Hold
 from systems.play.judge import Judge
 from systems.play.spawn import Spawn
+from systems.play.sting import Sting
 from systems.player.become import Become
 from systems.player.obey import Obey
 from systems.player.pilot import Pilot
+from systems.sea.drift import Drift
+from systems.sea.stir import Stir
 
 if TYPE_CHECKING:
     from reefgame.world import World
@@ -57,6 +65,13 @@ def spawner(world: "World") -> Spawn:
     )
 
 
+def stirrer(world: "World") -> Stir:
+    """Return the system that places singularities before the first tick and is part of every tick."""
+    return Stir(
+        world.singularities, world.key_frames, world.submarine, world.population, world.clock
+    )
+
+
 def live(world: "World", track: Track) -> tuple[Live, ...]:
     """Return the system of live physics on move's `track`, none where no fish may be live."""
     if not world.live.count:
@@ -79,12 +94,16 @@ def schedule(world: "World") -> tuple[System, ...]:
         Pilot(world.submarine, orders, terrain, avatar),
         Become(avatar, orders, fishes, world.submarine, terrain, clock),
         Obey(avatar, orders, fishes, world.food, senses, terrain, clock),
+        world.stir,
         Think(fishes, senses, terrain, world.submarine, clock, world.food, world.habitat),
+        Sting(world.anemones, fishes, senses, terrain, clock),
         Bound(fishes, senses, terrain),
         Control(fishes, world.library, clock),
         move,
         *live(world, move.track),
-        Feed(fishes, world.food, world.patches, senses, terrain, world.spawn, clock),
+        Drift(world.singularities, fishes, world.food, world.patches, senses, terrain, clock),
+        Hold(world.anemones, fishes, senses, terrain, world.spawn, clock),
+        Feed(fishes, world.food, world.patches, senses, world.spawn, clock),
         world.spawn,
         Judge(
             world.objective,

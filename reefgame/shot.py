@@ -10,7 +10,7 @@ from components.clock import TICKS_PER_SECOND
 from components.fish import Population
 from components.repertoire import RepertoireLibrary, pack
 from components.species import Species
-from reefgame.console import progress_bar
+from reefgame.console import complain, progress_bar
 from reefgame.content import load_species
 from reefgame.filming import COCKPIT_SLOPE, cockpit
 from reefgame.opening import open_level
@@ -18,6 +18,7 @@ from reefgame.output import check_output, replacing
 from reefgame.scene import QUALITIES, Scene
 from reefgame.viewpoint import viewpoint
 from reefgame.world import World
+from systems.sea.choose import Backend
 from systems.view.context import ensure_context
 from systems.view.draw_fish import DrawFish
 from systems.view.draw_water import DrawWater
@@ -32,13 +33,16 @@ def picture(
     height: int,
     seconds: float,
     quality: str = "high",
+    fibres: Backend = "numba",
 ) -> UInt8s:
-    """Return what `camera` sees of `world`, (height, width, 3), the top row first."""
+    """Return what `camera` sees of `world`, (height, width, 3), the top row first; `fibres` bends its plants."""
     with Target(width, height, QUALITIES[quality].samples) as target:
-        scene = Scene(world, quality)
+        scene = Scene(world, quality, fibres)
         target.bind()
         scene.draw(camera, 1.0, width, height, seconds)
         drawn = target.read()
+        if scene.note:
+            complain(scene.note)
         scene.delete()
     return drawn
 
@@ -56,7 +60,8 @@ def shoot(options: argparse.Namespace) -> None:
         world = _dived(options)
         seconds = options.tick / TICKS_PER_SECOND
         width, height = options.size
-        drawn = picture(world, _camera(world, options), width, height, seconds)
+        camera, fibres = _camera(world, options), options.fibres or "numba"
+        drawn = picture(world, camera, width, height, seconds, fibres=fibres)
     with replacing(options.output) as fresh:
         write_png(fresh, drawn)
 

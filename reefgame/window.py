@@ -16,6 +16,7 @@ from reefgame.content import Content
 from reefgame.screens.game_window import CAPTION, GameWindow
 from reefgame.shelf import LevelCard, Shelf, find_levels
 from reefgame.warmup import warm_up
+from systems.sea.choose import Backend
 from systems.view.context import PACKAGES, choose_options, config
 
 if TYPE_CHECKING:
@@ -34,10 +35,12 @@ def play(
     record: Path | None = None,
     size: tuple[int, int] | None = None,
     live: int | None = None,
+    fibres: Backend = "auto",
 ) -> int:
     """Open the title with `level` chosen and play until the player leaves; return the exit status.
 
     The `live` fishes nearest the submarine are simulated, not replayed; without it as many as the settings say.
+    `fibres` bends the plants.
 
     Raise ContentError where level or mods are at fault, InputError where there is no display or no
     OpenGL, or where `record` cannot be written.
@@ -45,7 +48,9 @@ def play(
     shelf = find_levels(level, mods)
     _check_writable(record)
     window = open_window(size or SIZE)
-    game = new_game(shelf, secrets.randbelow(_SEEDS) if seed is None else seed, record, live)
+    game = new_game(
+        shelf, secrets.randbelow(_SEEDS) if seed is None else seed, record, live, fibres
+    )
     view = GameWindow(window, game)
     _fill(view, game.live > 0)
     game.to_title()
@@ -69,13 +74,17 @@ def _check_writable(record: Path | None) -> None:
 
 
 def new_game(
-    shelf: Shelf, seed: int = 0, record: Path | None = None, live: int | None = None
+    shelf: Shelf,
+    seed: int = 0,
+    record: Path | None = None,
+    live: int | None = None,
+    fibres: Backend = "auto",
 ) -> "Game":
     """Return a game with the shelf's level chosen and its title not yet open."""
     from reefgame.screens.game import Game
     from reefgame.screens.title import TitleScreen
 
-    game = Game(shelf.cards, shelf.load, shelf.start, seed, record, live)
+    game = Game(shelf.cards, shelf.load, shelf.start, seed, record, live, fibres)
     game.to_title = lambda: game.stack.replace(lambda: TitleScreen(game))
     for message in game.messages:
         complain(message)

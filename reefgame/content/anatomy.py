@@ -7,7 +7,8 @@ from components.fault import FaultError
 from components.mind import Role
 from components.repertoire import Repertoire
 from components.senses import FISH_GRAMS
-from components.species import Species, Temper
+from components.singularity import SingularityKind
+from components.species import Species, Stirs, Temper
 from reefgame.content.schema.species import MedianFin, SpeciesFile
 from reefgame.content.skins import skin_of
 
@@ -81,7 +82,16 @@ def temper_of(file: SpeciesFile) -> Temper:
         curiosity=float(mind.curiosity),
         bright=_LIKING[mind.likes.light],
         warm=_LIKING[mind.likes.water],
+        at_home=mind.shelters == "anemones",
     )
+
+
+def stirs_of(file: SpeciesFile) -> Stirs:
+    """Return what the file's species is to anemones and weeds."""
+    stirs = file.stirs
+    kind = SingularityKind.SOURCE if stirs.kind == "source" else SingularityKind.HOLE
+    reach = 0.0 if stirs.kind == "none" else float(stirs.reach_m)
+    return Stirs(kind, float(stirs.speed_m_per_s), float(stirs.core_m), reach)
 
 
 def species_of(name: str, file: SpeciesFile, repertoire: Repertoire) -> Species:
@@ -101,4 +111,5 @@ def species_of(name: str, file: SpeciesFile, repertoire: Repertoire) -> Species:
         skin=skin_of(file.skin),
         repertoire=repertoire,
         temper=temper_of(file),
+        stirs=stirs_of(file),
     )

@@ -65,7 +65,7 @@ def _without_dependants(mod: Mod, waiting: list[Mod], disabled: list[DisabledMod
 
 
 def in_mods(path: Path, kind: str, known: Catalogue) -> str | None:
-    """Return the name of the species or level that the file `path` defines or overrides, or None."""
+    """Return the name of the species, flora or level that the file `path` defines or overrides, or None."""
     real = path.resolve()
     for name, definition in known.of(kind).items():
         if definition.path.name == path.name and definition.path.resolve() == real:
@@ -79,7 +79,7 @@ def in_mods(path: Path, kind: str, known: Catalogue) -> str | None:
 def local(path: Path, kind: str, known: Catalogue) -> tuple[Catalogue, str]:
     """Return a catalogue that also holds the file `path`, which no mod holds, and its name there.
 
-    A species that it is like may lie beside it. Raise ContentError.
+    What it is like may lie beside it. Raise ContentError.
     """
     trial = known.copy()
     beside = path.parent
@@ -91,7 +91,7 @@ def local(path: Path, kind: str, known: Catalogue) -> tuple[Catalogue, str]:
     like = definition.tree.items.get("like")
     while isinstance(like, Scalar) and isinstance(like.value, str):
         parent = beside / f"{like.value}.yaml"
-        if like.value in trial.species or name_problem(like.value) or not parent.is_file():
+        if like.value in trial.of(kind) or name_problem(like.value) or not parent.is_file():
             break
         like = trial.add_file(kind, home, parent).tree.items.get("like")
     return trial, definition.name

@@ -1,4 +1,4 @@
-"""All species and levels of the base game and its mods, by name: `like:`, overrides and references resolved.
+"""All species, flora and levels of the base game and its mods, by name: `like:`, overrides and references resolved.
 
 Definitions stay trees with marks until they are asked for, so that a fault shows where the modder wrote it, whichever
 file inherits it.
@@ -18,19 +18,23 @@ from reefgame.content.mods import (
     yaml_files,
 )
 from reefgame.content.nodes import Mapping, Mark, Node, Scalar, merged, without
+from reefgame.content.schema.flora import FloraFile
+from reefgame.content.schema.flow import carried_by
 from reefgame.content.schema.level import Level, LevelFile
 from reefgame.content.schema.species import SpeciesFile
 from reefgame.content.schema.validate import node_at, validate
 from reefgame.content.yaml_marks import read
 
 SPECIES: Final = "species"
+FLORA: Final = "flora"
 LEVEL: Final = "level"
+KINDS: Final = (SPECIES, FLORA, LEVEL)
 _LONGEST_CHAIN: Final = 32
 
 
 @dataclass(frozen=True)
 class Definition:
-    """One file of a mod that defines a species or level."""
+    """One file of a mod that defines a species, flora or level."""
 
     name: str
     "`mod:name`, or `name` in the base game"
@@ -50,6 +54,7 @@ class Catalogue:
 
     mods: dict[str, Mod] = field(default_factory=dict)
     species: dict[str, Definition] = field(default_factory=dict)
+    flora: dict[str, Definition] = field(default_factory=dict)
     levels: dict[str, Definition] = field(default_factory=dict)
     overrides: dict[tuple[str, str], tuple[Definition, ...]] = field(default_factory=dict)
     "by kind and name of what they change"
@@ -58,18 +63,19 @@ class Catalogue:
 
     def copy(self) -> "Catalogue":
         """Return a catalogue that can be added to without changing this one."""
-        parts = (self.mods, self.species, self.levels, self.overrides, self.owner)
+        parts = (self.mods, self.species, self.flora, self.levels, self.overrides, self.owner)
         return Catalogue(*(dict(part) for part in parts))  # type: ignore[arg-type]
 
     def of(self, kind: str) -> dict[str, Definition]:
-        """Return the definitions of `species` or `level`."""
-        return self.species if kind == SPECIES else self.levels
+        """Return the definitions of one of `KINDS`."""
+        return {SPECIES: self.species, FLORA: self.flora, LEVEL: self.levels}[kind]
 
     def add(self, mod: Mod) -> list[Problem]:
         """Take in the files of a mod; return what is wrong with them taken alone."""
         self.mods[mod.id] = mod
         problems: list[Problem] = []
-        for kind, folder in ((SPECIES, mod.species), (LEVEL, mod.levels)):
+        folders = (mod.species, mod.flora, mod.levels)
+        for kind, folder in zip(KINDS, folders, strict=True):
             found, faults = yaml_files(folder, mod.root)
             problems += faults
             for path in found.values():
@@ -134,30 +140,30 @@ class Catalogue:
             raise mark.error(f"there is no {kind} {quoted(wanted)}{near or '; ' + there}")
         return found[0]
 
-    def origins(self, name: str) -> list[Definition]:
-        """Return what a species is made of: itself, what overrides it, what it is like, and so on."""
+    def origins(self, name: str, kind: str = SPECIES) -> list[Definition]:
+        """Return what a species or flora is made of: itself, what overrides it, what it is like, and so on."""
         chain = [name]
         result: list[Definition] = []
         while True:
-            definition = self.species[chain[-1]]
-            result += [*reversed(self.overrides.get((SPECIES, chain[-1]), ())), definition]
+            definition = self.of(kind)[chain[-1]]
+            result += [*reversed(self.overrides.get((kind, chain[-1]), ())), definition]
             like = definition.tree.items.get("like")
             if like is None:
                 return result
-            parent = self.resolve(SPECIES, like, besides=chain[-1])
+            parent = self.resolve(kind, like, besides=chain[-1])
             if parent in chain:
                 raise like.mark.error(f"`like` goes in a circle: {' like '.join([*chain, parent])}")
             if len(chain) == _LONGEST_CHAIN:
-                raise like.mark.error(f"`like` goes on too long: at most {_LONGEST_CHAIN} species")
+                raise like.mark.error(f"`like` goes on too long: at most {_LONGEST_CHAIN} {kind}")
             chain.append(parent)
 
-    def species_tree(self, name: str) -> Mapping:
-        """Return a species' tree with `like` and overrides merged. Raise ContentError."""
-        origins = self.origins(name)
+    def species_tree(self, name: str, kind: str = SPECIES) -> Mapping:
+        """Return a species' or flora's tree with `like` and overrides merged. Raise ContentError."""
+        origins = self.origins(name, kind)
         tree = without(origins[-1].tree, "like", "overrides")
         for definition in reversed(origins[:-1]):
             tree = merged(tree, without(definition.tree, "like", "overrides"))
-        return Mapping(self.species[name].tree.mark, tree.items, tree.keys)
+        return Mapping(self.of(kind)[name].tree.mark, tree.items, tree.keys)
 
     def species_file(self, name: str) -> SpeciesFile:
         """Return the species `name` as its file and those it starts from say. Raise ContentError."""
@@ -180,6 +186,10 @@ class Catalogue:
                 problems += error.problems
         return tuple(full), problems
 
+    def flora_file(self, name: str) -> FloraFile:
+        """Return the flora `name` as its file and those it starts from say. Raise ContentError."""
+        return validate(self.species_tree(name, FLORA), FloraFile)
+
     def level_tree(self, name: str) -> Mapping:
         """Return a level's tree with overrides merged."""
         tree = self.levels[name].tree
@@ -188,14 +198,14 @@ class Catalogue:
         return tree
 
     def level(self, name: str) -> Level:
-        """Return the level `name`, its species named in full. Raise ContentError."""
+        """Return the level `name`, its species and flora named in full. Raise ContentError."""
         tree = self.level_tree(name)
         file = validate(tree, LevelFile)
         problems: list[Problem] = []
 
-        def full(*location: int | str) -> str:
+        def full(*location: int | str, kind: str = SPECIES) -> str:
             try:
-                return self.resolve(SPECIES, node_at(tree, (*location, "species")))
+                return self.resolve(kind, node_at(tree, (*location, kind)))
             except ContentError as error:
                 problems.extend(error.problems)
                 return ""
@@ -209,6 +219,16 @@ class Catalogue:
                 home.model_copy(update={"species": full("homes", i)})
                 for i, home in enumerate(file.homes)
             ),
+            "plants": tuple(
+                place.model_copy(update={"flora": full("plants", i, kind=FLORA)})
+                for i, place in enumerate(file.plants)
+            ),
+            "flow": tuple(
+                carried_by(one, full("flow", i, "attached"))
+                if one.attached is not None and one.attached.species is not None
+                else one
+                for i, one in enumerate(file.flow)
+            ),
         }
         wanted = {"species": full("objective", "photograph")}
         photograph = file.objective.photograph.model_copy(update=wanted)
@@ -218,9 +238,9 @@ class Catalogue:
         fields = {**dict(file), **names, "objective": objective, "name": name}
         return Level.model_validate(fields)
 
-    def problems(self, kinds: Sequence[str] = (SPECIES, LEVEL)) -> list[Problem]:
+    def problems(self, kinds: Sequence[str] = KINDS) -> list[Problem]:
         """Return everything wrong with all definitions."""
-        checks = {SPECIES: self.species_file, LEVEL: self.level}
+        checks = {SPECIES: self.species_file, FLORA: self.flora_file, LEVEL: self.level}
         found: list[Problem] = []
         for kind in kinds:
             for name in self.of(kind):

@@ -5,13 +5,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from reefgame.content.assembly import catalogue
-from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue
+from reefgame.content.catalogue import FLORA, KINDS, LEVEL, SPECIES, Catalogue
 from reefgame.content.errors import ContentError, Problem
 from reefgame.content.level_checks import level_problems
 from reefgame.content.load_order import DisabledMod, check_new, ordered
-from reefgame.content.loading import check_tuned, enclosing_mod, locate, species_in
-from reefgame.content.mods import BASE, Mod, read_mod
+from reefgame.content.loading import check_tuned, enclosing_mod, floras_in, locate, species_in
+from reefgame.content.mods import BASE, FOLDERS, Mod, read_mod
 from reefgame.content.nodes import Mapping, Mark, Scalar
+from reefgame.content.plant_checks import plant_problems
+from reefgame.content.schema.flora import FORMS
 from reefgame.content.schema.mod import ModFile
 from reefgame.content.schema.validate import validate
 from reefgame.content.yaml_marks import read, shown
@@ -72,13 +74,15 @@ def _content_in(path: Path) -> tuple[list[Path], list[Problem]]:
 
 
 def kind_of(tree: Mapping, path: Path) -> str:
-    """Return `species`, `level` or `mod`: by the folder that a file lies in, else by its keys."""
+    """Return `species`, `flora`, `level` or `mod`: by the folder that a file lies in, else by its keys."""
     if path.name == "mod.yaml":
         return "mod"
     folder = path.absolute().parent.name
-    if folder in ("species", "levels"):
-        return SPECIES if folder == "species" else LEVEL
-    return LEVEL if {"world", "submarine", "objective", "fishes"} & set(tree.items) else SPECIES
+    if folder in FOLDERS.values():
+        return next(kind for kind, name in FOLDERS.items() if name == folder)
+    if {"world", "submarine", "objective", "fishes"} & set(tree.items):
+        return LEVEL
+    return FLORA if {"room_cm", *FORMS} & set(tree.items) else SPECIES
 
 
 def _check_file(path: Path, known: dict[Path | None, Catalogue]) -> list[Problem]:
@@ -98,8 +102,12 @@ def _check_one(known: Catalogue, kind: str, name: str) -> list[Problem]:
     if kind == SPECIES:
         check_tuned(known, name, known.species_file(name))
         return []
+    if kind == FLORA:
+        known.flora_file(name)
+        return []
     level = known.level(name)
-    problems = level_problems(level, known.level_tree(name))
+    tree, floras = known.level_tree(name), floras_in(known, level)
+    problems = [*level_problems(level, tree), *plant_problems(level, tree, floras)]
     for species in species_in(level):
         problems += _problems(_check_one, known, SPECIES, species)
     return problems
@@ -116,7 +124,7 @@ def _check_mods(folders: Sequence[Path]) -> list[Problem]:
         known = _without(known, mod.id)
         problems += known.add(mod)
         problems += known.problems()
-        for kind in (SPECIES, LEVEL):
+        for kind in KINDS:
             for name, definition in known.of(kind).items():
                 if definition.mod == mod.id:
                     problems += _problems(_check_one, known, kind, name)
@@ -140,7 +148,7 @@ def _without(known: Catalogue, mod: str) -> Catalogue:
     """Return the catalogue less an installed copy of a mod that is being checked."""
     left = known.copy()
     left.mods.pop(mod, None)
-    for kind in (SPECIES, LEVEL):
+    for kind in KINDS:
         for name in [n for n, d in left.of(kind).items() if d.mod == mod]:
             del left.of(kind)[name]
     left.overrides = {
@@ -148,6 +156,9 @@ def _without(known: Catalogue, mod: str) -> Catalogue:
         for key, definitions in left.overrides.items()
     }
     return left
+
+
+_GROUND = {"sand": "sand", "rock": "rock", "any": "sand and rock"}
 
 
 @dataclass(frozen=True)
@@ -179,6 +190,16 @@ def list_species(mods: Sequence[Path] = ()) -> list[Listed]:
     found = {name: known.species_file(name) for name in known.species}
     return [
         Listed(name, file.title, f"{file.role}, {file.size_cm:g} cm")
+        for name, file in found.items()
+    ]
+
+
+def list_flora(mods: Sequence[Path] = ()) -> list[Listed]:
+    """Return the plants that levels can name. Raise ContentError where one of `mods` is at fault."""
+    known, _ = catalogue([Path(mod) for mod in mods])
+    found = {name: known.flora_file(name) for name in known.flora}
+    return [
+        Listed(name, file.title, f"{file.form.replace('_', ' ')}, on {_GROUND[file.stands]}")
         for name, file in found.items()
     ]
 

@@ -9,6 +9,7 @@ import json
 from collections.abc import Mapping
 from typing import Any, Final
 
+from components.flora import Anemone, Flora, Form
 from components.repertoire import Repertoire
 from reefgame.content.schema.level import Level
 from reefgame.content.schema.species import SpeciesFile
@@ -19,6 +20,7 @@ _SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
     "like": True,
     "overrides": True,
     "skin": True,
+    "stirs": True,
     "body": {"snout": True},
     "fins": {
         "tail": {"upper": True, "lower": True, "slender": True},
@@ -32,19 +34,37 @@ _SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
 
 
 def content_hash(
-    level: Level, species: Mapping[str, SpeciesFile], repertoires: Mapping[str, Repertoire]
+    level: Level,
+    species: Mapping[str, SpeciesFile],
+    repertoires: Mapping[str, Repertoire],
+    floras: Mapping[str, Flora],
 ) -> str:
     """Return 32 hex digits that change with whatever a dive in `level` can depend on."""
     digest = hashlib.blake2b(digest_size=16)
-    _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS)))
+    # What came into the format later counts only where a file uses it: older dives stay known.
+    unused = {key for key in ("flow", "plants") if not getattr(level, key)}
+    _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS) | unused))
+    for name, flora in floras.items():
+        _add(digest, {name: [flora.room, flora.stands, _felt(flora.form)]})
     for name in sorted(species):
-        _add(digest, {name: species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)})
+        said = species[name].model_dump(mode="json", exclude=_SPECIES_LOOKS)
+        if said["mind"]["shelters"] is None:
+            del said["mind"]["shelters"]
+        _add(digest, {name: said})
         for segment in repertoires[name].segments:
             _add(digest, [int(segment.pattern), bool(segment.loops), len(segment.translation)])
             digest.update(segment.rotation.astype("<f8").tobytes())
             digest.update(segment.translation.astype("<f8").tobytes())
             digest.update(segment.shape.astype("<f4").tobytes())
     return digest.hexdigest()
+
+
+def _felt(form: Form) -> list[Any]:
+    """Return what fishes feel of a plant: the cap of an anemone's tentacles and what it does to them."""
+    if not isinstance(form, Anemone):
+        return []
+    lengths = [*form.foot.length, *form.tentacle.length]
+    return [form.radius, *lengths, form.stings, form.holds]
 
 
 def _add(digest: "hashlib.blake2b", value: Any) -> None:

@@ -8,6 +8,7 @@ from components.ground import Terrain, ground_height, rock_distance
 from components.landscape import build_terrain, rock_on_ground
 from components.submarine import HULL_RADIUS
 from reefgame.content.errors import Problem, quoted
+from reefgame.content.flow_checks import flow_problems
 from reefgame.content.nodes import Mapping, Mark
 from reefgame.content.schema.level import Group, Level
 from reefgame.content.schema.validate import node_at
@@ -34,7 +35,7 @@ def level_problems(level: Level, tree: Mapping) -> list[Problem]:
     seabed = [*_seabed(level, tree)]
     # Above a wrong seabed every place would be wrong too.
     places = [] if seabed else [*_places(level, tree)]
-    return [*seabed, *places, *_numbers(level, tree)]
+    return [*seabed, *places, *_numbers(level, tree), *flow_problems(level, tree)]
 
 
 def _mark(tree: Mapping, *location: int | str) -> Mark:

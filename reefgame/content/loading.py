@@ -1,21 +1,24 @@
-"""`load`: a level by name or file, with the species that it needs and their motion, all checked (DESIGN 6)."""
+"""`load`: a level by name or file, with the species and flora that it needs, all checked (DESIGN 6)."""
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from components.flora import Flora
 from components.repertoire import Repertoire
 from components.species import Species
 from reefgame.content.anatomy import UNTUNED, body_of, species_of, swim_of
 from reefgame.content.assembly import catalogue, in_mods, local
-from reefgame.content.catalogue import LEVEL, SPECIES, Catalogue
+from reefgame.content.botany import flora_of
+from reefgame.content.catalogue import FLORA, LEVEL, SPECIES, Catalogue
 from reefgame.content.digest import content_hash
 from reefgame.content.errors import ContentError, Problem
 from reefgame.content.level_checks import level_problems
 from reefgame.content.load_order import DisabledMod
-from reefgame.content.mods import BASE, check_inside
+from reefgame.content.mods import BASE, FOLDERS, check_inside
 from reefgame.content.nodes import Mark, Scalar
+from reefgame.content.plant_checks import plant_problems
 from reefgame.content.repertoires import Progress, repertoire_of
 from reefgame.content.schema.level import Level
 from reefgame.content.schema.species import SpeciesFile
@@ -34,6 +37,8 @@ class Content:
     "32 hex digits: what a replay compares"
     disabled: tuple[DisabledMod, ...]
     "installed mods that are at fault and left out"
+    floras: Mapping[str, Flora] = field(default_factory=dict)
+    "by name, those that the level's plants are of"
 
 
 def load(
@@ -46,7 +51,8 @@ def load(
     """
     known, disabled, name = find(LEVEL, level, mods)
     dive = known.level(name)
-    problems = level_problems(dive, known.level_tree(name))
+    tree, floras = known.level_tree(name), floras_in(known, dive)
+    problems = [*level_problems(dive, tree), *plant_problems(dive, tree, floras)]
     if problems:
         raise ContentError(problems)
     files = {one: known.species_file(one) for one in species_in(dive)}
@@ -54,8 +60,9 @@ def load(
     return Content(
         level=dive,
         species=tuple(species_of(one, file, motion[one]) for one, file in files.items()),
-        hash=content_hash(dive, files, motion),
+        hash=content_hash(dive, files, motion, floras),
         disabled=tuple(disabled),
+        floras=floras,
     )
 
 
@@ -76,16 +83,28 @@ def read_species(
     return found, known.species_file(found)
 
 
+def read_flora(name: str | os.PathLike[str], mods: Sequence[Path] = ()) -> Flora:
+    """Return one species of plant, by name or YAML file. Raise ContentError."""
+    known, _, found = find(FLORA, name, mods)
+    return flora_of(found, known.flora_file(found))
+
+
 def species_in(level: Level) -> list[str]:
     """Return the full names of the species that a level names, sorted."""
     named = {group.species for group in level.fishes} | {home.species for home in level.homes}
     return sorted(named | {level.objective.photograph.species})
 
 
+def floras_in(known: Catalogue, level: Level) -> dict[str, Flora]:
+    """Return the flora that a level's plants are of, by name, sorted. Raise ContentError."""
+    names = sorted({place.flora for place in level.plants})
+    return {name: flora_of(name, known.flora_file(name)) for name in names}
+
+
 def find(
     kind: str, wanted: str | os.PathLike[str], mods: Sequence[Path]
 ) -> tuple[Catalogue, list[DisabledMod], str]:
-    """Return the catalogue that holds a species or level, the mods left out, and its full name."""
+    """Return the catalogue that holds a species, flora or level, the mods left out, and its full name."""
     text = os.fspath(wanted)
     is_file = isinstance(wanted, Path) or "/" in text or os.sep in text
     if not is_file and not text.endswith((".yaml", ".yml")):
@@ -115,9 +134,9 @@ def _by_name(kind: str, text: str, known: Catalogue, disabled: Sequence[Disabled
 
 
 def enclosing_mod(path: Path) -> Path | None:
-    """Return the folder of the mod in whose species/ or levels/ a file lies, or None."""
+    """Return the folder of the mod in whose species/, flora/ or levels/ a file lies, or None."""
     folder = path.absolute().parent.parent
-    if path.absolute().parent.name not in ("species", "levels"):
+    if path.absolute().parent.name not in FOLDERS.values():
         return None
     if not (folder / "mod.yaml").is_file():
         return None

@@ -1,7 +1,7 @@
 """Mods: folders of data, what they say of themselves, and what may lie in them.
 
-A mod is a folder with mod.yaml, species/, levels/, textures/ and repertoires/; the base game is one too. Nothing in a
-mod is ever run, and no path or link in it leads out of it.
+A mod is a folder with mod.yaml, species/, flora/, levels/, textures/ and repertoires/; the base game is one too.
+Nothing in a mod is ever run, and no path or link in it leads out of it.
 """
 
 import re
@@ -24,6 +24,9 @@ from reefgame.content.yaml_marks import read, shown
 BASE: Final = "reefgame"
 """The id of the base game, whose names need no `mod:` before them."""
 
+FOLDERS: Final = {"species": "species", "flora": "flora", "level": "levels"}
+"""Where a mod keeps the files of each kind."""
+
 _RESERVED: Final = frozenset(
     ["con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(10))]
 )
@@ -39,6 +42,7 @@ class Mod:
     root: Path
     "what no path leaves"
     species: Path
+    flora: Path
     levels: Path
     repertoires: Path
     given: bool
@@ -55,7 +59,7 @@ class Mod:
 
 
 def base() -> Mod:
-    """Return the base game as a mod: assets/mod.yaml, assets/species, levels."""
+    """Return the base game as a mod: assets/mod.yaml, assets/species, assets/flora, levels."""
     root = Path(str(files(assets)))
     tree = read(root / "mod.yaml")
     return Mod(
@@ -63,6 +67,7 @@ def base() -> Mod:
         tree=tree,
         root=root.parent,
         species=root / "species",
+        flora=root / "flora",
         levels=Path(str(files(levels))),
         repertoires=root / "repertoires",
         given=True,
@@ -81,7 +86,14 @@ def read_mod(folder: Path, given: bool) -> Mod:
     tree = read(folder / "mod.yaml")
     info = validate(tree, ModFile)
     mod = Mod(
-        info, tree, root, folder / "species", folder / "levels", folder / "repertoires", given
+        info=info,
+        tree=tree,
+        root=root,
+        species=folder / "species",
+        flora=folder / "flora",
+        levels=folder / "levels",
+        repertoires=folder / "repertoires",
+        given=given,
     )
     problems = [*_own_problems(mod)]
     if problems:
@@ -133,7 +145,7 @@ def check_inside(path: Path, root: Path) -> None:
 
 
 def name_problem(name: str) -> str | None:
-    """Return why `name` cannot be the name of a mod, species or level; None where it can."""
+    """Return why `name` cannot be the name of a mod, species, flora or level; None where it can."""
     if not re.fullmatch(NAME_PATTERN[1:-1], name):
         return f"the name {quoted(name)} is not allowed: {ALLOWED[NAME_PATTERN]}"
     if name in _RESERVED:

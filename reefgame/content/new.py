@@ -1,4 +1,4 @@
-"""`reefgame new`: files to begin a mod, a species or a level with, which pass `reefgame check` as they are."""
+"""`reefgame new`: files to begin a mod, a species, a plant or a level with, which pass `reefgame check` as they are."""
 
 import shutil
 import tempfile
@@ -6,17 +6,15 @@ from importlib.resources import files
 from pathlib import Path
 
 from reefgame.content.errors import printable
-from reefgame.content.mods import name_problem
+from reefgame.content.mods import FOLDERS, name_problem
 from reefgame.content.nodes import Mark
 from reefgame.content.yaml_marks import shown
 
-_FOLDERS = {"species": "species", "level": "levels"}
-
 
 def new(kind: str, name: str, folder: Path = Path()) -> list[Path]:
-    """Write the beginnings of a `mod`, `species` or `level` called `name`; return the files written.
+    """Write the beginnings of a `mod`, `species`, `flora` or `level` called `name`; return the files written.
 
-    Species and levels go into the mod in `folder`, or straight into `folder` where it is no mod.
+    Species, flora and levels go into the mod in `folder`, or straight into `folder` where it is no mod.
     Raise ContentError where the name is not allowed, something of that name is there, or nothing can
     be written; then nothing is left behind.
     """
@@ -25,7 +23,7 @@ def new(kind: str, name: str, folder: Path = Path()) -> list[Path]:
         raise Mark(printable(name)).error(fault)
     folder = Path(folder)
     if kind != "mod" and (folder / "mod.yaml").is_file():
-        folder = folder / _FOLDERS[kind]
+        folder = folder / FOLDERS[kind]
     target = folder / (name if kind == "mod" else f"{name}.yaml")
     if target.exists() or target.is_symlink():
         raise Mark(shown(target)).error("this is already there: choose another name")

@@ -16,6 +16,7 @@ from reefgame.screens.screen import Screen, ScreenStack
 from reefgame.screens.stage import Stage
 from reefgame.settings import Settings
 from reefgame.shelf import LevelCard
+from systems.sea.choose import Backend
 
 
 class Game:
@@ -29,6 +30,7 @@ class Game:
         seed: int,
         record: Path | None = None,
         live: int | None = None,
+        fibres: Backend = "auto",
     ) -> None:
         self.levels = tuple(levels)
         self.load = load
@@ -36,6 +38,7 @@ class Game:
         self.seed = seed
         self.record = record
         self._live = live
+        self._fibres: Backend = fibres
         self.stack = ScreenStack()
         self.settings, wrong = settings.load()
         self.progress = Progress()
@@ -60,7 +63,7 @@ class Game:
             content = self.load(self.chosen)
             if stage is not None:
                 stage.delete()
-            stage = self._stage = Stage(content, self.seed, self.settings, self.live)
+            stage = self._stage = Stage(content, self.seed, self.settings, self.live, self._fibres)
         return stage
 
     @property

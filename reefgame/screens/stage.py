@@ -14,11 +14,13 @@ from pyglet.gl import gl_info
 
 from components.camera import Camera
 from components.command import Command
+from reefgame.console import complain
 from reefgame.content import Content
 from reefgame.loop import FixedStep
 from reefgame.scene import QUALITIES, Scene
 from reefgame.settings import Settings
 from reefgame.world import World
+from systems.sea.choose import Backend
 from systems.view.target import Target
 
 _SOFTWARE: Final = ("llvmpipe", "softpipe", "swrast", "swiftshader", "software")
@@ -47,7 +49,14 @@ def drawing(quality: str, renderer: str) -> Drawing:
 class Stage:
     """World, scene and the time between ticks."""
 
-    def __init__(self, content: Content, seed: int, settings: Settings, live: int = 0) -> None:
+    def __init__(
+        self,
+        content: Content,
+        seed: int,
+        settings: Settings,
+        live: int = 0,
+        fibres: Backend = "auto",
+    ) -> None:
         self.world = World.build(content, seed, live)
         self.seed = seed
         self.seconds = 0.0
@@ -55,7 +64,9 @@ class Stage:
         self._step = FixedStep()
         self._scale = settings.render_scale
         self._drawing = drawing(settings.quality, gl_info.get_renderer())
-        self._scene = Scene(self.world, self._drawing.quality)
+        self._fibres = fibres
+        self._noted = ""
+        self._scene = Scene(self.world, self._drawing.quality, fibres)
         self._target: Target | None = None
 
     @property
@@ -74,7 +85,7 @@ class Stage:
         wanted = drawing(settings.quality, gl_info.get_renderer())
         if wanted.quality != self._drawing.quality:
             self._scene.delete()
-            self._scene = Scene(self.world, wanted.quality)
+            self._scene = Scene(self.world, wanted.quality, self._fibres)
         if wanted.samples != self._drawing.samples and self._target is not None:
             self._target.delete()
             self._target = None
@@ -99,6 +110,7 @@ class Stage:
 
     def draw(self, camera: Camera, width: int, height: int) -> None:
         """Draw the sea over the window's framebuffer, width x height [px]."""
+        self._tell()
         tall = max(1, min(height, self._drawing.height) * self._scale // 100)
         if tall == height and not self._drawing.samples:
             self._scene.draw(camera, self.alpha, width, height, self.seconds)
@@ -110,6 +122,12 @@ class Stage:
         self._scene.draw(camera, self.alpha, target.width, target.height, self.seconds)
         target.show(window.value, width, height)
         gl.glViewport(0, 0, width, height)
+
+    def _tell(self) -> None:
+        """Say once why plants are bent by something else than was asked for: it may show late."""
+        if self._scene.note != self._noted:
+            self._noted = self._scene.note
+            complain(self._noted)
 
     def delete(self) -> None:
         """Free what the GPU holds."""

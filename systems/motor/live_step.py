@@ -16,7 +16,7 @@ from components.live import MUSCLES, LiveTable
 from components.motor import RATES
 from components.rotation import turned
 from components.submarine import HULL_RADIUS
-from components.terrain import Terrain, confine
+from components.terrain import Terrain, berth, confine
 from systems.motor.biomechanics import (
     BAND_SIZE,
     SUBSTEP_SECONDS,
@@ -30,7 +30,6 @@ from systems.motor.biomechanics import (
 from systems.motor.body_frame import body_frame
 from systems.motor.columns import Bodies, Motors
 from systems.motor.contract import Stroke, contract
-from systems.motor.move import MARGIN, WIDEST_MARGIN
 from systems.motor.muscle_model import SEGMENTS, SPRINGS, BodyModel
 from systems.motor.pectorals import Pectorals, press
 from systems.motor.strokes import Strokes
@@ -240,7 +239,7 @@ def hold_inside(s: int, i: int, slots: Slots, fish: Bodies, terrain: Terrain) ->
     """Keep a fish in the world, as move does, and let it go no further into what it met."""
     o = fish.position[i]
     x, y, z = o[0], o[1], o[2]
-    if confine(terrain, fish.position, i, min(MARGIN * fish.length[i], WIDEST_MARGIN)):
+    if confine(terrain, fish.position, i, berth(fish.length[i])):
         x, y, z = o[0] - x, o[1] - y, o[2] - z
         way = sqrt(x * x + y * y + z * z)
         if way > 1e-9:

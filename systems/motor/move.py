@@ -18,7 +18,7 @@ from components.fish import Population
 from components.kernels import inlined, loop, row
 from components.repertoire import RepertoireLibrary
 from components.rotation import set_axes, turned
-from components.terrain import Terrain, confine
+from components.terrain import Terrain, berth, confine
 from systems.motor.balance import righting, roll
 from systems.motor.columns import Bodies, Motors, bodies, motors
 from systems.motor.rate import play_at_rate
@@ -29,12 +29,6 @@ PARALLEL_FROM: Final = 500
 """Fishes from which two threads are worth their launch."""
 
 CHUNKS: Final = 64
-
-MARGIN: Final = 0.5
-"""How far a fish's origin keeps from ground, rocks, surface and rim, over its length."""
-
-WIDEST_MARGIN: Final = 0.9
-"""[m]: shallow water must stay passable to giants."""
 
 
 @inlined
@@ -124,7 +118,7 @@ def _advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -
 @row
 def _hold_inside(first: int, last: int, fish: Bodies, terrain: Terrain) -> None:
     for i in range(first, last):
-        confine(terrain, fish.position, i, min(MARGIN * fish.length[i], WIDEST_MARGIN))
+        confine(terrain, fish.position, i, berth(fish.length[i]))
 
 
 @row

@@ -1,4 +1,4 @@
-"""Feed: food drifts; open mouths suck in what they are about and swallow it (papers/004, eating and ingesting).
+"""Feed: open mouths suck in what they are about and swallow it (papers/004, eating and ingesting).
 
 A mouth that the mind has opened claims the prey or particle that it attends to, once it is near enough to the nose;
 of several mouths the nearest has it. For a fifth of a second the victim is drawn to the mouth, whatever it does
@@ -8,21 +8,17 @@ itself; then it is gone, and its grams are in the stomach. Who is sucked in lets
 from math import sqrt
 from typing import Final, NamedTuple
 
-import numba
 import numpy as np
 
-from components import chance
 from components.arrays import Float64s, Int8s, Int32s, Int64s
-from components.clock import TICK_SECONDS, TICKS_PER_SECOND, Clock
+from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
 from components.food import FoodTable, PatchTable, in_stomach
-from components.ground import Terrain
 from components.index import Places, row_of
-from components.kernels import inlined, loop, row
+from components.kernels import inlined, row
 from components.mind import FOOD, Intention
 from components.senses import FISH_GRAMS, SWALLOWED, SenseTable
-from components.terrain import confine
-from systems.play.spawn import Spawn, place
+from systems.play.spawn import Spawn
 
 SUCK_TICKS: Final = TICKS_PER_SECOND // 5
 """[ticks] in which a victim is drawn to the mouth, at the most."""
@@ -31,11 +27,6 @@ OPEN: Final = 0.5
 
 _EAT: Final = int(Intention.EAT)
 _OBEY: Final = int(Intention.OBEY)
-_BERTH: Final = 0.03
-_CONFINE_EVERY: Final = 16
-_PIECES: Final = 16
-_SERIAL_BELOW: Final = 8192
-"""Particles that one thread carries sooner than it would wake the others."""
 
 
 class Mouths(NamedTuple):
@@ -65,89 +56,7 @@ class Larder(NamedTuple):
     patch: Int32s
     returns: Int64s
     eaten_by: Int64s
-    around: Float64s
-    within: Float64s
-    drift: Float64s
     returns_after: Int64s
-
-
-@row
-def appear(
-    terrain: Terrain,
-    seed: int,
-    now: int,
-    particle: int,
-    around: Float64s,
-    within: float,
-    position: Float64s,
-) -> None:
-    """Put a particle anywhere in the free water of the ball `within` [m] of `around`, into position[particle]."""
-    place(seed, chance.FOOD_PLACE, now, particle, around, within, position[particle])
-    confine(terrain, position, particle, _BERTH)
-
-
-@row
-def carry(p: Float64s, around: Float64s, within: float, drift: Float64s) -> bool:
-    """Move a particle's place p (3,) by a tick of drift [m/s]; return whether it came back on the ball's other side."""
-    x, y, z = p[0] - around[0], p[1] - around[1], p[2] - around[2]
-    along = x * drift[0] + y * drift[1] + z * drift[2]
-    beyond = along > 0.0 and x * x + y * y + z * z > within * within
-    step = TICK_SECONDS
-    if beyond:
-        step = -2.0 * along / (drift[0] * drift[0] + drift[1] * drift[1] + drift[2] * drift[2])
-    for axis in range(3):
-        p[axis] += step * drift[axis]
-    return bool(beyond)
-
-
-@row
-def drift_some(terrain: Terrain, seed: int, now: int, larder: Larder, begin: int, end: int) -> None:
-    """Carry the particles begin..end that are in the water; let those come back whose tick it is."""
-    position, last = larder.position, larder.last_position
-    for k in range(begin, end):
-        if larder.returns[k] > now or larder.eaten_by[k] >= 0:
-            continue
-        patch = larder.patch[k]
-        around, within = larder.around[patch], larder.within[patch]
-        fresh = larder.returns[k] == now
-        if fresh:
-            appear(terrain, seed, now, k, around, within, position)
-        for axis in range(3):
-            last[k, axis] = position[k, axis]
-        if not fresh:
-            fresh = carry(position[k], around, within, larder.drift[patch])
-        if fresh or (now + k) % _CONFINE_EVERY == 0:
-            confine(terrain, position, k, _BERTH)
-        if fresh:
-            for axis in range(3):
-                last[k, axis] = position[k, axis]
-
-
-@loop
-def drift_all(
-    terrain: Terrain,
-    seed: int,
-    now: int,
-    position: Float64s,
-    last_position: Float64s,
-    meal: Float64s,
-    patch: Int32s,
-    returns: Int64s,
-    eaten_by: Int64s,
-    around: Float64s,
-    within: Float64s,
-    drift: Float64s,
-    returns_after: Int64s,
-    count: int,
-) -> None:
-    """Carry all particles, on all threads."""
-    for piece in numba.prange(_PIECES):
-        larder = Larder(
-            position, last_position, meal, patch, returns, eaten_by, around, within, drift,
-            returns_after,
-        )  # fmt: skip
-        begin, end = count * piece // _PIECES, count * (piece + 1) // _PIECES
-        drift_some(terrain, seed, now, larder, begin, end)
 
 
 @inlined
@@ -329,7 +238,7 @@ def open_mouths(
 
 
 class Feed:
-    """Reads senses, patches, terrain and clock; writes food, fishes, minds, and through spawn the population."""
+    """Reads senses, patches and clock; writes food, fishes, minds, and through spawn the population."""
 
     def __init__(
         self,
@@ -337,25 +246,20 @@ class Feed:
         food: FoodTable,
         patches: PatchTable,
         senses: SenseTable,
-        terrain: Terrain,
         spawn: Spawn,
         clock: Clock,
     ) -> None:
         self.population, self.food, self.patches = population, food, patches
-        self.senses, self.terrain, self.spawn, self.clock = senses, terrain, spawn, clock
+        self.senses, self.spawn, self.clock = senses, spawn, clock
         self._room(16)
 
     def __call__(self) -> None:
-        """Let food drift, mouths suck, and those who are swallowed leave the world."""
+        """Let mouths suck, and those who are swallowed leave the world."""
         now, count, food = self.clock.now, self.population.count, self.food.count
         if count > len(self._held):
             self._room(2 * count)
-        larder, seed = self.larder(), int(self.clock.seed[0])
-        if food < _SERIAL_BELOW:
-            drift_some(self.terrain, seed, now, larder, 0, food)
-        else:
-            drift_all(self.terrain, seed, now, *larder, food)
-        mouths, places = self._mouths(), self.population.index.places
+        larder, mouths = self._larder(), self._mouths()
+        places = self.population.index.places
         senses, busy = self.senses, self._busy
         number = suck_fishes(mouths, count, places, senses, now, self._held, busy, self._swallowed)
         suck_food(mouths, larder, food, places, senses, now, busy)
@@ -368,8 +272,7 @@ class Feed:
         columns = [getattr(fish if name in fish.columns else mind, name) for name in Mouths._fields]
         return Mouths(*columns)
 
-    def larder(self) -> Larder:
-        """Return the columns of food and patches; they go stale when either grows."""
+    def _larder(self) -> Larder:
         food, patches = self.food, self.patches
         columns = [
             getattr(food if name in food.columns else patches, name) for name in Larder._fields

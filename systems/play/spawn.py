@@ -18,13 +18,13 @@ from components.entities import Entities
 from components.fish import Population
 from components.kernels import row
 from components.repertoire import Pattern, RepertoireLibrary
+from components.scatter import place
 from components.species import Species
 from components.submarine import SubmarineTable
 from components.terrain import Terrain, confine, sees
 from components.trigonometry import cosine, sine
 
 _TURN: Final = 6.283185307179586
-_ATTEMPTS: Final = 64
 _SCHOOL_FAN: Final = 0.5
 """[rad] spread of a school's first headings."""
 _LEAST_FED: Final = 0.6
@@ -41,32 +41,6 @@ _EDGE: Final = 0.5
 _RETRY: Final = TICKS_PER_SECOND
 _PATIENCE: Final = 30 * TICKS_PER_SECOND
 """[ticks] for which who is due waits for a place out of sight."""
-
-
-@row
-def place(
-    seed: int,
-    stream: int,
-    draw: int,
-    identity: int,
-    around: Float64s,
-    within: float,
-    position: Float64s,
-) -> None:
-    """Draw a position [m] in the ball of radius `within` around `around`, both in world axes, into (3,).
-
-    Another `draw` of the stream is another position.
-    """
-    for attempt in range(_ATTEMPTS):
-        first = 3 * (draw * _ATTEMPTS + attempt)
-        x = 2.0 * chance.uniform(seed, stream, first, identity) - 1.0
-        y = 2.0 * chance.uniform(seed, stream, first + 1, identity) - 1.0
-        z = 2.0 * chance.uniform(seed, stream, first + 2, identity) - 1.0
-        if x * x + y * y + z * z <= 1.0:
-            break
-    position[0] = around[0] + within * x
-    position[1] = around[1] + within * y
-    position[2] = around[2] + within * z
 
 
 @row

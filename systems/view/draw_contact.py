@@ -1,4 +1,4 @@
-"""Soft dark rings on the sand where rocks stand in it: finer than light baked into the seabed's grid can be."""
+"""Soft dark rings on the sand where rocks and plants stand in it: finer than light baked into the seabed's grid can be."""
 
 from typing import Final
 
@@ -23,8 +23,12 @@ RINGS: Final = (
     (1.6, 0.2, 0.0),
 )
 """Rings from the inside: times the rock's outline on the sand, metres more, darkness there."""
+FEET: Final = ((0.0, 1.0), (0.85, 0.95), (1.1, 0.5), (1.4, 0.15), (1.8, 0.0))
+"""Rings of a plant from the inside: times the radius of its foot, part of its darkness there."""
 FARTHEST: Final = 13.0
 """[m] to which they are drawn: the seabed has its full grid there."""
+
+NO_FEET: Final = np.zeros((0, 4))
 
 
 def ring_mesh(terrain: Terrain, rock: int, sun: Float64s) -> Float64s:
@@ -51,6 +55,20 @@ def ring_mesh(terrain: Terrain, rock: int, sun: Float64s) -> Float64s:
     return np.concatenate(rings)
 
 
+def foot_mesh(terrain: Terrain, foot: Float64s, sun: Float64s) -> Float64s:
+    """Return place [m] and darkness of the points of a plant's rings, (rings * AROUND, 4); `foot` as DrawContact has it."""
+    angle = np.arange(AROUND) * (2.0 * np.pi / AROUND)
+    away = np.stack((np.cos(angle), np.sin(angle)), axis=1)
+    lee = 1.0 - 0.6 * away @ sun[:2]
+    rings = []
+    for times, part in FEET:
+        reach = foot[2] * (1.0 + (times - 1.0) * lee if times > 1.0 else np.full(AROUND, times))
+        flat = foot[:2] + away * reach[:, None]
+        height = ground_under(terrain, flat) + 0.004
+        rings.append(np.column_stack((flat, height, np.full(AROUND, part * foot[3]))))
+    return np.concatenate(rings)
+
+
 def ring_sides() -> NDArray[np.uint32]:
     """Return the triangles between the rings, (n,) vertex numbers, anticlockwise from above."""
     inner = np.arange((len(RINGS) - 1) * AROUND)
@@ -61,12 +79,18 @@ def ring_sides() -> NDArray[np.uint32]:
 
 
 class DrawContact:
-    """The rings of all rocks of one terrain; `sun` is the unit vector towards the sun."""
+    """The rings of all rocks of one terrain; `sun` is the unit vector towards the sun.
 
-    def __init__(self, terrain: Terrain, sun: tuple[float, float, float]) -> None:
+    `feet` are those of plants on the sand: place [m], radius [m], darkness, (n, 4).
+    """
+
+    def __init__(
+        self, terrain: Terrain, sun: tuple[float, float, float], feet: Float64s = NO_FEET
+    ) -> None:
         self._program = load_program("contact.vert.glsl", "contact.frag.glsl")
         rocks = range(len(terrain.rock_radii))
         rings = [ring_mesh(terrain, rock, np.asarray(sun)) for rock in rocks]
+        rings += [foot_mesh(terrain, foot, np.asarray(sun)) for foot in feet]
         places = np.concatenate([*rings, np.zeros((1, 4))])
         self._low = np.array([ring[:, :3].min(axis=0) for ring in rings]).reshape(-1, 3)
         self._high = np.array([ring[:, :3].max(axis=0) for ring in rings]).reshape(-1, 3)

@@ -7,7 +7,13 @@ from typing import Any, Final
 
 from systems.view.context import ensure_context
 
-SAMPLER_UNITS: Final = {"water_map": 6, "surface_map": 7, "relief_map": 5, "stone_map": 4}
+SAMPLER_UNITS: Final = {
+    "water_map": 6,
+    "surface_map": 7,
+    "relief_map": 5,
+    "stone_map": 4,
+    "mark_map": 8,
+}
 """Texture units of the maps that `FrameBlock` binds; drawers of their own textures take 0 to 3."""
 
 FRAME_BINDING: Final = 3

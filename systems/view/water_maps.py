@@ -1,4 +1,4 @@
-"""Tileable maps that shaders read: caustics, noise, surface waves, sand, stone (FINDINGS 8, Look).
+"""Tileable maps that shaders read: caustics, noise, surface waves, sand, stone, marks (FINDINGS 8, Look).
 
 Computed once from a fixed seed: noise looked up costs software GL a tenth of noise computed.
 """
@@ -114,6 +114,22 @@ def stone_map() -> Float64s:
     return np.stack((*shape, _unit(height, -2.8, 2.2), growth), axis=-1)
 
 
+def mark_map() -> Float64s:
+    """Return marks on living skin, 4 along x by 4 along y: spots, bands, stripes, mottling, (SIDE, SIDE, 4) of 0..1."""
+    rng = np.random.default_rng(2002)
+    wobble = 0.025 * spectral_noise(rng, 1.6, 1, 12)
+    along, across = np.meshgrid(*(2 * [4.0 * np.arange(SIDE) / SIDE]), indexing="ij")
+    rank = np.floor(along)
+    cell_x, cell_y = along - rank - 0.5, (across + 0.5 * (rank % 2)) % 1.0 - 0.5
+    spots = np.clip((0.34 + wobble - np.hypot(cell_x, cell_y)) / 0.10 + 0.5, 0.0, 1.0)
+    bands, stripes = (
+        np.clip((np.abs((ramp + wobble) % 1.0 - 0.5) - 0.29) / 0.08 + 0.5, 0.0, 1.0)
+        for ramp in (along, across)
+    )
+    mottled = _unit(spectral_noise(rng, 1.5, 3, 60), -0.25, 0.65)
+    return np.stack((spots, bands, stripes, mottled), axis=-1)
+
+
 def _ripples(rng: np.random.Generator) -> Float64s:
     """Return the height of sand ripples: crests along y that wander and fork, (SIDE, SIDE)."""
     across = np.arange(SIDE)[:, None] * (2 * np.pi * 11 / SIDE)
@@ -150,6 +166,7 @@ _MAKERS: Final = {
     "surface_map": surface_map,
     "relief_map": relief_map,
     "stone_map": stone_map,
+    "mark_map": mark_map,
 }
 
 

@@ -10,14 +10,9 @@ from components.clock import Clock
 from components.fish import Population
 from components.motor import PACES
 from components.repertoire import Pattern, RepertoireLibrary
-from components.terrain import Terrain, ground_height
+from components.terrain import MARGIN, Terrain, ground_height
 from systems.motor.columns import bodies, motors
-from systems.motor.move import (
-    MARGIN,
-    Move,
-    move_parallel,
-    move_serial,
-)
+from systems.motor.move import Move, move_parallel, move_serial
 from systems.motor.pose import pose
 from systems.motor.rate import BRAKING
 from systems.motor.track import track

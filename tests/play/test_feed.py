@@ -8,7 +8,8 @@ import pytest
 from components.food import GONE, in_stomach
 from components.mind import FOOD
 from components.senses import FISH_GRAMS, SWALLOWED
-from systems.play.feed import OPEN, SUCK_TICKS, Feed, drift_all
+from systems.play.feed import OPEN, SUCK_TICKS
+from systems.sea.drift import Drift, drift_all
 
 if TYPE_CHECKING:
     from tests.play.conftest import Sea, Table
@@ -200,10 +201,11 @@ def test_food_drifts_inside_its_ball_at_its_patchs_pace(sea: "Sea") -> None:
 
 def test_food_drifts_alike_on_one_thread_and_on_all(sea: "Sea", table: "Table") -> None:
     world, other = table.world, sea()
-    threads = next(system for system in other.systems if isinstance(system, Feed))
+    threads = next(system for system in other.systems if isinstance(system, Drift))
     for now in range(200):
         table.tick()
-        drift_all(other.terrain, 3, now, *threads.larder(), other.food.count)
+        water = threads.water()._replace(tick=now)
+        drift_all(other.terrain, *water, 3, threads.plankton(), other.food.count)
     for name in world.food.columns:
         assert np.array_equal(world.food.live(name), other.food.live(name))
 

@@ -1,4 +1,4 @@
-"""What a level file may say: the world, its rocks and fishes, the submarine and what the player is to do.
+"""What a level file may say: the world, its rocks, plants and fishes, the submarine and what the player is to do.
 
 Places are [x, y] or [x, y, z] in metres; z is up and 0 at the surface, so 5 m down is -5. Angles are in degrees; a
 heading of 0 looks along x, 90 along y.
@@ -6,12 +6,20 @@ heading of 0 looks along x, 90 along y.
 
 from typing import Annotated, Literal, TypeAlias
 
-from pydantic import Field, StringConstraints, ValidationInfo, field_validator
+from pydantic import (
+    Field,
+    StringConstraints,
+    ValidationInfo,
+    field_validator,
+)
 from pydantic_core import PydanticCustomError
 
 from components.ground import STRAY
+from reefgame.content.schema.flow import Flows
+from reefgame.content.schema.plants import PlantPlace
 from reefgame.content.schema.strict import (
     TITLE_PATTERN,
+    Degrees,
     Fraction,
     Ground,
     Place,
@@ -21,7 +29,6 @@ from reefgame.content.schema.strict import (
     Words,
 )
 
-Degrees: TypeAlias = Annotated[float, Field(ge=-360.0, le=360.0)]
 Seconds: TypeAlias = Annotated[float, Field(ge=0.0, le=36_000.0)]
 Current: TypeAlias = Annotated[float, Field(ge=-2.0, le=2.0)]
 Drift: TypeAlias = tuple[Current, Current, Current]
@@ -193,16 +200,19 @@ class LevelFile(Strict):
     sun: Sun = Sun()
     day: Day = Day()
     rocks: Annotated[tuple[RockPlace, ...], Field(max_length=400)] = ()
+    plants: Annotated[tuple[PlantPlace, ...], Field(max_length=400)] = ()
     homes: Annotated[tuple[Home, ...], Field(max_length=200)] = ()
     submarine: Start
     fishes: Annotated[tuple[Group, ...], Field(max_length=400)] = ()
     food: Annotated[tuple[FoodPatch, ...], Field(max_length=200)] = ()
+    flow: Flows = ()
+    """Sources, holes, whirlwinds and currents: they carry food and fishes, and bend anemones and weeds."""
     objective: Objective
     prompts: Annotated[tuple[Prompt, ...], Field(max_length=20)] = ()
 
 
 class Level(LevelFile):
-    """A level as the game plays it: species are named in full."""
+    """A level as the game plays it: species and flora are named in full."""
 
     name: str
     """`mod:name`, or `name` in the base game."""

@@ -179,13 +179,17 @@ def tuple_length(model: type[BaseModel], location: Sequence[int | str]) -> int:
     return len(tuples[0]) if tuples and tuples[0][-1] is not Ellipsis else 0
 
 
+_TAGS: Final = ("paint", "kind")
+"""Keys that say which of several models a mapping is."""
+
+
 def _step(annotation: Any, step: int | str) -> Any:
     models = _models(annotation)
     if isinstance(step, int):
         return _item(annotation, step)
-    tagged = [m for m in models if "paint" in m.model_fields and len(models) > 1]
-    for choice in tagged:
-        if step in get_args(choice.model_fields["paint"].annotation):
+    for choice in models if len(models) > 1 else []:
+        tags = [choice.model_fields[tag].annotation for tag in _TAGS if tag in choice.model_fields]
+        if any(step in get_args(tag) for tag in tags):
             return choice
     fields = [m.model_fields[step] for m in models if step in m.model_fields]
     return fields[0].annotation if fields else None

@@ -34,3 +34,5 @@ class Mind(Strict):
     curiosity: Fraction = 0.3
     """How likely a pacifist is to come and look at something new."""
     likes: Likes = Likes()
+    shelters: Literal["anemones"] | None = None
+    """Where it flees to and is at home: anemones do not sting it; null: it has no such place."""

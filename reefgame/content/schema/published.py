@@ -6,19 +6,21 @@ from typing import Any, Final
 
 from pydantic import BaseModel
 
+from reefgame.content.schema.flora import FloraFile
 from reefgame.content.schema.level import LevelFile
 from reefgame.content.schema.mod import ModFile
 from reefgame.content.schema.species import SpeciesFile
 
 MODELS: Final[dict[str, type[BaseModel]]] = {
     "species": SpeciesFile,
+    "flora": FloraFile,
     "level": LevelFile,
     "mod": ModFile,
 }
 
 
 def json_schema(kind: str) -> dict[str, Any]:
-    """Return the JSON Schema of `species`, `level` or `mod`. Raise KeyError for another kind."""
+    """Return the JSON Schema of `species`, `flora`, `level` or `mod`. Raise KeyError for another kind."""
     model = MODELS[kind]
     full = model.model_json_schema()
     full["$schema"] = "https://json-schema.org/draft/2020-12/schema"

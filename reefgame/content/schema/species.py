@@ -9,6 +9,7 @@ from typing import Annotated, Literal, TypeAlias
 from pydantic import Field, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
+from reefgame.content.schema.flow import Stirs
 from reefgame.content.schema.mind import Mind
 from reefgame.content.schema.skins import SkinLook
 from reefgame.content.schema.strict import Fraction, Reference, Strict, Title
@@ -161,6 +162,8 @@ class SpeciesFile(Strict):
     swim: SwimStyle | None = None
     """May be missing until `reefgame capture --tune` has found it; only then the species swims."""
     mind: Mind = Mind()
+    stirs: Stirs = Stirs(kind="hole", speed_m_per_s=1.5)
+    """What it is to anemones and weeds."""
     skin: SkinLook
 
     @field_validator("depth_m")

@@ -1,6 +1,7 @@
 // Light in water, for every fragment shader (FINDINGS 8, Look): what falls on a surface, what water does to it on the
 // way to the eye, and how the sum becomes a colour of the screen. Colours are linear until graded() is called last.
 #include "frame.glsl"
+#include "film.glsl"
 
 uniform sampler2D water_map;   // r caustic net, g shafts, b soft noise, a fine noise
 
@@ -101,11 +102,4 @@ vec3 through_water(vec3 colour, vec3 world) {
     // Farther than one sees, things are water.
     kept *= 1. - smoothstep(.9, 2.4, distance / water.x);
     return colour * kept + gained + SHAFT_COLOUR * sun.w * shafts(direction, distance);
-}
-
-// The colour of the screen for linear light: filmic curve, sRGB-like gamma. Every fragment shader calls it last.
-vec3 graded(vec3 light) {
-    vec3 x = light * 1.05;
-    vec3 film = x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14);
-    return sqrt(clamp(film, 0., 1.));
 }
