@@ -65,6 +65,8 @@ class Why(IntEnum):
     "what it is about holds a while yet; ticks left"
     PLAYER = 12
     "the player steers it; 0"
+    STUNG = 13
+    "an anemone stung it; ticks for which it yet hurts"
 
 
 class Courtship(IntEnum):
@@ -132,4 +134,4 @@ class MindTable(Table):
     swallowed_by: Int64s = column(np.int64, fill=-1)
     "stable id of the fish that sucks this one in, -1 for none, (capacity,)"
     stung_until: Int64s = column(np.int64)
-    "tick until which a fish flees what stung it (anemones), (capacity,)"
+    "tick until which a fish flees the anemone that stung it, (capacity,)"

@@ -105,6 +105,7 @@ def reason_of(world: World, row: int) -> str:
         Why.CURIOSITY: f"curious of the submarine, {value:.1f} m away",
         Why.PERSISTENCE: f"stays with it for {value / TICKS_PER_SECOND:.1f} s yet",
         Why.PLAYER: "you steer it",
+        Why.STUNG: f"an anemone stung it: it hurts for {value / TICKS_PER_SECOND:.1f} s yet",
     }
     return reasons[why]
 

@@ -1,13 +1,17 @@
-"""A level's file turned into the tables and constants of a dive: groups of fishes, food, light and warmth."""
+"""A level's file turned into the tables and constants of a dive: fishes, food, anemones, light and warmth."""
 
-from typing import Final
+from collections.abc import Mapping, Sequence
+from typing import Final, TypeAlias
 
 import numpy as np
 
+from components.anemone import Cap
 from components.clock import TICKS_PER_SECOND
 from components.cohort import NEVER, CohortTable
+from components.flora import Anemone, Flora, Plant, tentacle_cap
 from components.food import GONE, FoodTable, PatchTable
 from components.habitat import Habitat
+from components.species import Species
 from components.terrain import Terrain
 from reefgame.content.schema.level import Level
 from systems.sea.drift import appear
@@ -21,6 +25,12 @@ _SHARE: Final = {
     "midnight": 0.75,
 }
 _COLDER_BELOW: Final = 2.0
+_HOVER: Final = 0.4
+"""Of a cap's radius: over its middle its guests hover."""
+_ROOMY: Final = 5.0
+"""Radius of the smallest cap that a fish lives in, over its length."""
+
+Point: TypeAlias = tuple[float, ...]
 
 
 def cohorts_of(level: Level, species: list[str]) -> CohortTable:
@@ -64,6 +74,27 @@ def food_of(level: Level, patches: PatchTable, terrain: Terrain, seed: int) -> F
         appear(terrain, seed, 0, particle, around, within, table.position)
     table.last_position[: table.count] = table.position[: table.count]
     return table
+
+
+def caps_of(plants: Sequence[Plant], floras: Mapping[str, Flora]) -> list[Cap]:
+    """Return the caps of the anemones among a level's plants, in their order; `floras` are those plants' by name."""
+    caps = []
+    for plant in plants:
+        form = floras[plant.flora].form
+        if isinstance(form, Anemone):
+            centre, radius = tentacle_cap(plant, form)
+            caps.append(Cap(centre, radius, form.stings, plant.scale * form.holds))
+    return caps
+
+
+def shelters_of(caps: Sequence[Cap], species: Sequence[Species]) -> list[tuple[Point, int]]:
+    """Return home points, (x, y, z) and row of the species: over each anemone that stings, for who finds room in it."""
+    return [
+        ((cap.centre[0], cap.centre[1], cap.centre[2] + _HOVER * cap.radius), kind)
+        for cap in caps
+        for kind, one in enumerate(species)
+        if one.temper.at_home and cap.stings and cap.radius >= _ROOMY * one.length
+    ]
 
 
 def habitat_of(level: Level) -> Habitat:

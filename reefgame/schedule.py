@@ -5,11 +5,13 @@ become   the player turns into a fish, and back                        systems/p
 obey     that fish does as the player orders                           systems/player/obey.py
 stir     singularities follow their key frames and carriers            systems/sea/stir.py
 think    a quarter of the fishes perceive, intend and behave           systems/mind/think.py
+sting    anemones sting who is not at home in them: it flees           systems/play/sting.py
 bound    ground, rocks, surface and rim turn fishes inward             systems/motor/bound.py
 control  the secondary controller chooses segments and steers          systems/motor/control.py
 move     every fish plays its segment, warps and balances              systems/motor/move.py
 live     the nearest few run the muscle model, where that is asked for systems/motor/live.py
 drift    the flow carries food and fishes                             systems/sea/drift.py
+hold     anemones hold and eat small fishes that touch them            systems/play/hold.py
 feed     open mouths suck in and swallow                              systems/play/feed.py
 spawn    the level's groups arrive and leave; the eaten are replaced   systems/play/spawn.py
 judge    photographs and objectives                                    systems/play/judge.py
@@ -25,8 +27,10 @@ from systems.motor.move import Move
 from systems.motor.strokes import strokes
 from systems.motor.track import Track
 from systems.play.feed import Feed
+from systems.play.hold import Hold
 from systems.play.judge import Judge
 from systems.play.spawn import Spawn
+from systems.play.sting import Sting
 from systems.player.become import Become
 from systems.player.obey import Obey
 from systems.player.pilot import Pilot
@@ -85,11 +89,13 @@ def schedule(world: "World") -> tuple[System, ...]:
         Obey(avatar, orders, fishes, world.food, senses, terrain, clock),
         Stir(world.singularities, world.key_frames, world.submarine, fishes, clock),
         Think(fishes, senses, terrain, world.submarine, clock, world.food, world.habitat),
+        Sting(world.anemones, fishes, senses, terrain, clock),
         Bound(fishes, senses, terrain),
         Control(fishes, world.library, clock),
         move,
         *live(world, move.track),
         Drift(world.singularities, fishes, world.food, world.patches, senses, terrain, clock),
+        Hold(world.anemones, fishes, senses, terrain, world.spawn, clock),
         Feed(fishes, world.food, world.patches, senses, world.spawn, clock),
         world.spawn,
         Judge(

@@ -5,6 +5,9 @@
 are equal.
 """
 
+from collections.abc import Sequence
+
+from components.anemone import AnemoneTable, Cap, anemone_table
 from components.clock import Clock
 from components.cohort import RestockTable, Roster
 from components.command import Command, CommandTable
@@ -28,7 +31,7 @@ from reefgame.content.level_checks import terrain_of
 from reefgame.content.planting import planting
 from reefgame.content.schema.level import Level
 from reefgame.flow_tables import singularities_of
-from reefgame.level_tables import cohorts_of, food_of, habitat_of, patches_of
+from reefgame.level_tables import caps_of, cohorts_of, food_of, habitat_of, patches_of, shelters_of
 from reefgame.schedule import schedule, spawner
 from reefgame.snapshot import Snapshot
 from systems.motor.live import Live
@@ -37,7 +40,9 @@ from systems.motor.live import Live
 class World:
     """One dive. Build it with `World.build(content, seed)`."""
 
-    def __init__(self, content: Content, seed: int, live: int = 0) -> None:
+    def __init__(
+        self, content: Content, seed: int, live: int = 0, caps: Sequence[Cap] = ()
+    ) -> None:
         if not 0 <= live <= MOST_LIVE:
             raise ValueError(f"{live} fishes in live physics: 0 to {MOST_LIVE} there may be")
         self.content = content
@@ -48,11 +53,14 @@ class World:
         self.library: RepertoireLibrary = pack(
             [s.repertoire for s in content.species], spare=2 * self.live.count
         )
-        self.terrain: Terrain = _terrain(content)
+        self.terrain: Terrain = terrain_of(content.level)
         self.floras = content.floras
         self.plants: tuple[Plant, ...] = planting(
             content.level, content.floras, self.terrain
         ).plants
+        caps = [*caps_of(self.plants, self.floras), *caps]
+        self.anemones: AnemoneTable = anemone_table(caps)
+        self.terrain = _with_homes(self.terrain, content, caps)
         self.clock = Clock(seed)
         self.roster = Roster()
         names = [species.name for species in content.species]
@@ -74,12 +82,15 @@ class World:
         self.systems = schedule(self)
 
     @classmethod
-    def build(cls, content: Content, seed: int = 0, live: int = 0) -> "World":
+    def build(
+        cls, content: Content, seed: int = 0, live: int = 0, caps: Sequence[Cap] = ()
+    ) -> "World":
         """Return the world of the content's level before its first tick, the first groups in it.
 
         The `live` fishes nearest the submarine run the muscle model, 0 to 50; raise ValueError for other numbers.
+        `caps` are anemones besides those that the level plants.
         """
-        world = cls(content, seed, live)
+        world = cls(content, seed, live, caps)
         world.spawn()
         return world
 
@@ -92,8 +103,9 @@ class World:
 
     @property
     def tables(self) -> dict[str, Table]:
-        """Every table that holds state, by name, in the order of their checksums; without live physics none for it."""
-        return self._tables | ({"live": self.live} if self.live.count else {})
+        """Every table that holds state, by name, in the order of their checksums; none for what is not there at all."""
+        seldom = {"live": self.live, "anemones": self.anemones}
+        return self._tables | {name: table for name, table in seldom.items() if table.count}
 
     @property
     def _tables(self) -> dict[str, Table]:
@@ -132,11 +144,12 @@ class World:
                 system.restored()
 
 
-def _terrain(content: Content) -> Terrain:
-    level = content.level
+def _with_homes(terrain: Terrain, content: Content, caps: Sequence[Cap]) -> Terrain:
     names = [species.name for species in content.species]
-    homes = [(home.at_m, names.index(home.species)) for home in level.homes]
-    return terrain_of(level).with_homes(homes)
+    homes: list[tuple[tuple[float, ...], int]] = [
+        (home.at_m, names.index(home.species)) for home in content.level.homes
+    ]
+    return terrain.with_homes([*homes, *shelters_of(caps, content.species)])
 
 
 def _submarine(level: Level) -> SubmarineTable:

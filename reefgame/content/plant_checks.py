@@ -71,7 +71,7 @@ def _room(
         )
     for index, (place, found) in enumerate(zip(level.plants, planted.found, strict=True)):
         if found < place.count:
-            on = place.on or floras[place.flora].stands
+            on = place.stands or floras[place.flora].stands
             where = "" if on == "any" else f" on {on}"
             yield node_at(tree, ("plants", index)).mark.problem(
                 f"only {found} of {place.count} find room{where} here: "

@@ -22,7 +22,8 @@ from components.ground import (
     rock_square,
     to_rock,
 )
-from reefgame.content.schema.level import Level, PlantPlace
+from reefgame.content.schema.level import Level
+from reefgame.content.schema.plants import PlantPlace
 
 SHALLOWEST: Final = -0.3
 """[m] z that no plant's root passes."""
@@ -155,7 +156,7 @@ def _spot(beds: _Beds, place: PlantPlace, u: float, v: float, scale: float) -> S
     if x * x + y * y > beds.terrain.radius * beds.terrain.radius:
         return None
     found, room = surface(beds.terrain, x, y), beds.room(place.flora, scale)
-    on = place.on or beds.floras[place.flora].stands
+    on = place.stands or beds.floras[place.flora].stands
     if found.point[2] > SHALLOWEST or not _suits(beds.terrain, found, on, room):
         return None
     return found if beds.nearest(found.point, room)[0] >= 1.0 else None

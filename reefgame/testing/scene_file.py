@@ -11,7 +11,6 @@ from pydantic_core import PydanticCustomError
 from reefgame.content.schema.level import (
     Bounds,
     Day,
-    Degrees,
     FoodPatch,
     Home,
     RockPlace,
@@ -21,6 +20,7 @@ from reefgame.content.schema.level import (
     Water,
 )
 from reefgame.content.schema.strict import (
+    Degrees,
     Fraction,
     Identifier,
     Place,

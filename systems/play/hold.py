@@ -13,7 +13,7 @@ from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
 from components.index import Places, row_of
-from components.kernels import row
+from components.kernels import inlined, row
 from components.senses import SenseTable
 from components.sphere_grid import SphereGrid, empty, list_spheres, sphere_grid, square_at
 from components.terrain import Terrain, berth, confine
@@ -49,6 +49,14 @@ class Victims(NamedTuple):
     swallowed_by: Int64s
 
 
+@inlined
+def _is_held(tentacles: Tentacles, grid: SphereGrid, square: int, identity: int) -> bool:
+    held = False
+    for at in range(grid.first[square], grid.first[square + 1]):
+        held |= tentacles.prey[grid.listed[at]] == identity
+    return held
+
+
 @row
 def take(
     tentacles: Tentacles,
@@ -64,6 +72,8 @@ def take(
             continue
         x, y, z = victims.position[i, 0], victims.position[i, 1], victims.position[i, 2]
         square = square_at(grid, x, y)
+        if _is_held(tentacles, grid, square, victims.id[i]):
+            continue
         for at in range(grid.first[square], grid.first[square + 1]):
             k = grid.listed[at]
             if victims.length[i] > tentacles.holds[k] or now < tentacles.sated_until[k]:
@@ -75,6 +85,7 @@ def take(
             held, fresh = tentacles.prey[k], tentacles.since[k] == now
             if held < 0 or (fresh and victims.id[i] < held):
                 tentacles.prey[k], tentacles.since[k] = victims.id[i], now
+                break
 
 
 @row
@@ -136,5 +147,5 @@ class Hold:
         places = people.index.places
         take(tentacles, self._grid, self.senses.at_home, people.count, victims, now)
         many = draw_in(tentacles, number, self.terrain, places, victims, now, self._eaten)
-        for identity in sorted(set(self._eaten[:many].tolist())):
+        for identity in sorted(self._eaten[:many].tolist()):
             self.spawn.lose(identity)

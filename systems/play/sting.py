@@ -2,7 +2,8 @@
 
 A stung fish is as afraid as it can be and swims away from the anemone for some seconds, whatever it was about: a
 hunter lets its prey go, which is why a clownfish among tentacles is safe. It is a reflex, and stands over the mind as
-the boundaries do: it runs between think and bound. The player's fish feels it and steers itself.
+the boundaries do: it runs between think and bound. Who is after nobody and flees from nobody keeps clear of anemones.
+The player's fish feels the sting and steers itself.
 """
 
 from math import sqrt
@@ -23,19 +24,22 @@ STUNG_TICKS: Final = 4 * TICKS_PER_SECOND
 SHUNNED: Final = 1.5
 """[m] from a cap within which a stung fish swims away from it."""
 
+_EAT: Final = int(Intention.EAT)
 _ESCAPE: Final = int(Intention.ESCAPE)
 _OBEY: Final = int(Intention.OBEY)
 _STUNG: Final = int(Why.STUNG)
 _FAST: Final = 2
 _URGENCY: Final = 0.9
 _THROTTLE: Final = 1.1
+_CLEAR: Final = 1.2
+"""Weight of the way out, at a cap's border, against where a fish would go."""
 
 
 class Feeling(NamedTuple):
     """The columns of fishes, minds and motors that stinging reads and writes."""
 
-    id: Int64s
     species: Int32s
+    length: Float64s
     position: Float64s
     rotation: Float64s
     intention: Int8s
@@ -78,7 +82,7 @@ def touched(caps: Caps, x: float, y: float, z: float) -> bool:
 
 @row
 def way_out(caps: Caps, x: float, y: float, z: float) -> tuple[float, float, float]:
-    """Return the sum of the directions away from the caps near a point [m], the more of the nearer; 0, 0, 0 for none."""
+    """Return the sum of the directions away from the caps near a point [m], more of the nearer; 0, 0, 0 for none."""
     a, b, c = 0.0, 0.0, 0.0
     square = square_at(caps.grid, x, y)
     for at in range(caps.grid.first[square], caps.grid.first[square + 1]):
@@ -111,14 +115,49 @@ def _flee(caps: Caps, i: int, feeling: Feeling, now: int) -> None:
 
 
 @row
-def sting_all(caps: Caps, at_home: Int8s, count: int, feeling: Feeling, now: int) -> None:
-    """Sting those of `count` fishes that touch tentacles; let the stung flee. `at_home` (S,): who is never stung."""
+def keep_clear(caps: Caps, i: int, feeling: Feeling) -> None:
+    """Lean the heading of row i away from the caps near it."""
+    intention = feeling.intention[i]
+    if intention in (_ESCAPE, _OBEY) or (intention == _EAT and feeling.focus[i] >= 0):
+        return
+    position, heading = feeling.position[i], feeling.heading[i]
+    x, y, z = way_out(caps, position[0], position[1], position[2])
+    if x == 0.0 and y == 0.0 and z == 0.0:
+        return
+    x, y, z = heading[0] + _CLEAR * x, heading[1] + _CLEAR * y, heading[2] + _CLEAR * z
+    size = sqrt(x * x + y * y + z * z)
+    if size > 1e-6:
+        heading[0], heading[1], heading[2] = x / size, y / size, z / size
+
+
+@inlined
+def _touches(caps: Caps, i: int, nose: float, feeling: Feeling) -> bool:
+    """Say whether the nose or the middle of row i is among tentacles; the nose is `nose` [BL] ahead."""
+    x, y, z = feeling.position[i, 0], feeling.position[i, 1], feeling.position[i, 2]
+    if touched(caps, x, y, z):
+        return True
+    ahead, axes = nose * feeling.length[i], feeling.rotation[i]
+    return touched(caps, x + ahead * axes[0, 0], y + ahead * axes[1, 0], z + ahead * axes[2, 0])
+
+
+@row
+def sting_all(
+    caps: Caps, at_home: Int8s, nose: Float64s, count: int, feeling: Feeling, now: int
+) -> None:
+    """Sting those of `count` fishes that touch tentacles, let the stung flee and others keep clear.
+
+    `at_home`, (S,): who is never stung; `nose` [BL] from each species' origin, (S,).
+    """
     for i in range(count):
-        x, y, z = feeling.position[i, 0], feeling.position[i, 1], feeling.position[i, 2]
-        if at_home[feeling.species[i]] == 0 and touched(caps, x, y, z):
+        kind = feeling.species[i]
+        if at_home[kind] != 0:
+            continue
+        if _touches(caps, i, nose[kind], feeling):
             feeling.stung_until[i] = now + STUNG_TICKS
         if feeling.stung_until[i] > now:
             _flee(caps, i, feeling, now)
+        else:
+            keep_clear(caps, i, feeling)
 
 
 class Sting:
@@ -143,7 +182,9 @@ class Sting:
         anemones, people = self.anemones, self.population
         if anemones.count:
             caps = Caps(self._grid, anemones.centre, anemones.radius, anemones.stings)
-            sting_all(caps, self.senses.at_home, people.count, feeling_of(people), self.clock.now)
+            feeling, senses = feeling_of(people), self.senses
+            now, count = self.clock.now, people.count
+            sting_all(caps, senses.at_home, senses.nose, count, feeling, now)
 
 
 def feeling_of(population: Population) -> Feeling:
@@ -155,4 +196,3 @@ def feeling_of(population: Population) -> Feeling:
             for name in Feeling._fields
         )
     )
-

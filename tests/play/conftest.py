@@ -6,9 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from components.anemone import Cap
 from components.arrays import Float64s
 from components.mind import Intention
-from reefgame.content import load
+from reefgame.content import Content, load
 from reefgame.world import World
 from systems.play.feed import Feed
 from systems.sea.drift import Drift
@@ -25,9 +26,13 @@ objective:
 """
 SCHOOL = "{species: sardine, count: 6, around_m: [4, 0, -5], within_m: 2, restock_s: 2}"
 HUNTERS = "{species: barracuda, count: 2, around_m: [-4, 0, -5], within_m: 1}"
+ONE_SARDINE = "{species: sardine, count: 1, around_m: [-15, 0, -3], within_m: 0.1}"
 PLANKTON = (
     "{around_m: [0, 4, -5], within_m: 1, particles: 20, drift_m_per_s: [0.3, 0, 0.1], returns_s: 1}"
 )
+
+ANEMONE = Cap((0.0, 0.0, -9.0), 0.8, stings=True, holds=0.15)
+"Its middle stands over the ground."
 
 Sea = Callable[..., World]
 
@@ -110,3 +115,17 @@ def sea(tmp_path_factory: pytest.TempPathFactory) -> Sea:
 def table(sea: Sea) -> Table:
     """Six sardines, two barracudas, twenty particles of food."""
     return Table(sea())
+
+
+@pytest.fixture(scope="session")
+def garden(sea: Sea) -> Callable[..., World]:
+    """Build the world of the sea with certain fishes and no food; one anemone stands on its ground, or those given."""
+
+    contents: dict[str, Content] = {}
+
+    def build(fishes: str, caps: Sequence[Cap] = (ANEMONE,), seed: int = 3) -> World:
+        if fishes not in contents:
+            contents[fishes] = sea(f"{fishes}, {ONE_SARDINE}", "").content
+        return World.build(contents[fishes], seed, caps=caps)
+
+    return build

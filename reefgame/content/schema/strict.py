@@ -38,6 +38,7 @@ Colour: TypeAlias = Annotated[str, StringConstraints(pattern=COLOUR_PATTERN)]
 Title: TypeAlias = Annotated[str, StringConstraints(pattern=TITLE_PATTERN, max_length=60)]
 Words: TypeAlias = Annotated[str, StringConstraints(max_length=600)]
 Metres: TypeAlias = Annotated[float, Field(ge=-1000.0, le=1000.0)]
+Degrees: TypeAlias = Annotated[float, Field(ge=-360.0, le=360.0)]
 Fraction: TypeAlias = Annotated[float, Field(ge=0.0, le=1.0)]
 Ground: TypeAlias = tuple[Metres, Metres]
 """x and y [m]."""
