@@ -48,23 +48,18 @@ def disc_mesh(sectors: int) -> tuple[Float32s, NDArray[np.uint32]]:
     return np.array(corners, np.float32), quads.ravel().astype(np.uint32)
 
 
-def seat_of(garden: Garden, disc: Disc, side: Float64s) -> tuple[float, float, float]:
-    """Return how a disc sits on its foot at rest, as tentacles tell: slopes along `side` and across it, and its dome.
-
-    The dome is how high its middle stands over its rim, in its radii.
-    """
+def dome_of(garden: Garden, disc: Disc) -> float:
+    """Return how high the middle of a disc stands over its rim, in its radii, as the tentacles rooted on it tell."""
     tentacles = disc.tuft + 1
     if tentacles >= len(garden.plant) or garden.plant[tentacles] != garden.plant[disc.tuft]:
-        return 0.0, 0.0, 0.0
+        return 0.0
     foot = garden.points(garden.fibre(disc.tuft, disc.fibre)).astype(np.float64)
-    axes = _frames(foot[-1:] - foot[-2:-1], side[None])
+    ahead = _unit(foot[-1:] - foot[-2:-1])[0]
     fibres = slice(garden.first_fibre[tentacles], garden.first_fibre[tentacles + 1])
     roots = garden.position[garden.first_row[fibres], :, garden.lane[fibres]] - foot[-1]
-    high, x, y = (roots @ axis[0] / disc.radius for axis in axes)
-    shape = np.stack((x, y, 1.0 - x * x - y * y), axis=1)
-    found, *_ = np.linalg.lstsq(shape, high, rcond=1e-6)
-    slope_x, slope_y, dome = np.clip(found, -1.0, 1.0).tolist()
-    return slope_x, slope_y, dome
+    high = roots @ ahead / disc.radius
+    fall = 1.0 - np.maximum((roots**2).sum(axis=1) / disc.radius**2 - high**2, 0.0)
+    return float(np.clip(high @ fall / max(fall @ fall, 1e-6), -1.0, 1.0))
 
 
 class DrawDiscs:
@@ -88,14 +83,13 @@ class DrawDiscs:
         self._first, self._lane = garden.first_row[fibre], garden.lane[fibre]
         self._last = self._first + garden.nodes[fibre] - 1
         self._side = side[fibre].astype(np.float64)
-        self._slope = np.zeros((len(discs), 2))
         self._constant = np.zeros((len(discs), RECORD), np.float32)
         for row, disc in enumerate(discs):
             chance = 0.7548776662466927 * row
             self._constant[row, 3], self._constant[row, 7] = disc.radius, disc.mouth / disc.radius
             self._constant[row, 11:13] = disc.look, chance - np.floor(chance)
             self._constant[row, 13:15] = light[disc.tuft]
-            *self._slope[row], self._constant[row, 15] = seat_of(garden, disc, self._side[row])
+            self._constant[row, 15] = dome_of(garden, disc)
         self._program = load_program("disc.vert.glsl", "fibre.frag.glsl", defines)
         gl.glUseProgram(self._program.id)
         gl.glUniform1i(uniform_location(self._program, "looks"), LOOKS_UNIT)
@@ -111,10 +105,9 @@ class DrawDiscs:
         first, last, lane = self._first[rows], self._last[rows], self._lane[rows]
         top = position[last, :, lane].astype(np.float64)
         below = position[np.maximum(last - 1, first), :, lane]
-        ahead, side, over = _frames(top - below, self._side[rows])
-        slope = self._slope[rows]
-        # As it sat on its foot at rest, so it goes on sitting.
-        ahead, side, _ = _frames(ahead - slope[:, :1] * side - slope[:, 1:] * over, side)
+        ahead = _unit(top - below)
+        side = self._side[rows]
+        side = _unit(side - (side * ahead).sum(axis=1, keepdims=True) * ahead)
         records[:, 0:3], records[:, 4:7], records[:, 8:11] = top, side, ahead
         return records
 
@@ -176,13 +169,6 @@ class DrawDiscs:
         gl.glDeleteBuffers(_BUFFERS, self._buffers)
         gl.glDeleteVertexArrays(len(SECTORS), self._arrays)
         self._program.delete()
-
-
-def _frames(ways: Float64s, sides: Float64s) -> tuple[Float64s, Float64s, Float64s]:
-    """Return unit vectors along `ways`, across them towards `sides`, and across both, (n, 3) each."""
-    ahead = _unit(ways)
-    side = _unit(sides - (sides * ahead).sum(axis=1, keepdims=True) * ahead)
-    return ahead, side, np.cross(ahead, side)
 
 
 def _unit(vectors: Float64s) -> Float64s:
