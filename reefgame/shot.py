@@ -60,7 +60,8 @@ def shoot(options: argparse.Namespace) -> None:
         world = _dived(options)
         seconds = options.tick / TICKS_PER_SECOND
         width, height = options.size
-        camera, fibres = _camera(world, options), options.fibres or "numba"
+        camera = _camera(world, options)
+        fibres: Backend = options.fibres or "numba"
         drawn = picture(world, camera, width, height, seconds, fibres=fibres)
     with replacing(options.output) as fresh:
         write_png(fresh, drawn)
