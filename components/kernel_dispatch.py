@@ -1,18 +1,23 @@
 """How kernels call kernels: what a kernel needs as a callee is compiled, and no more (FINDINGS 5).
 
-numba makes of every function machine code and a wrapper for Python, though most kernels are only ever called by kernels,
-whose own machine code holds them: two thirds of a first launch. Here a callee is kept as LLVM's intermediate code, and
-one that is called from Python too is compiled for it then.
+numba makes of every function machine code and a wrapper for Python, though most kernels are only ever called by
+kernels, whose own machine code holds them: that was half of a first launch. Here a callee is kept as LLVM's
+intermediate code; one that Python calls too is compiled for it when it does.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import llvmlite.binding
 from numba.core import types
 from numba.core.caching import CompileResultCacheImpl
 from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import Compiler, CompileResult
+from numba.core.compiler import Compiler, CompileResult, DefaultPassBuilder
 from numba.core.registry import CPUDispatcher
+from numba.core.typed_passes import NativeLowering
+from numba.core.untyped_passes import InlineInlinables
+
+from components.kernel_fields import FieldsOnce, LowerFields
 
 
 class _CalleeLibrary(JITCodeLibrary):  # type: ignore[misc]  # numba is untyped
@@ -38,11 +43,27 @@ class _CalleeLibrary(JITCodeLibrary):  # type: ignore[misc]  # numba is untyped
         return library
 
 
-class _CalleeCompiler(Compiler):  # type: ignore[misc]  # numba is untyped
-    """numba's compiler, stopped before the code runs."""
+class _KernelCompiler(Compiler):  # type: ignore[misc]  # numba is untyped
+    """numba's compiler, which reads fields of tuples once where nothing is parallel."""
 
     def define_pipelines(self) -> Any:
-        """Return numba's passes."""
+        """Return numba's passes and ours."""
+        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        if not self.state.flags.auto_parallel.enabled:
+            passes.add_pass_after(FieldsOnce, InlineInlinables)
+            passes.passes = [
+                (LowerFields, why) if step is NativeLowering else (step, why)
+                for step, why in passes.passes
+            ]
+            passes.finalize()
+        return [passes]
+
+
+class _CalleeCompiler(_KernelCompiler):
+    """... stopped before the code runs."""
+
+    def define_pipelines(self) -> Any:
+        """Return the passes of any kernel."""
         state = self.state
         state.flags.no_compile = True
         state.library = _CalleeLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
@@ -105,8 +126,10 @@ class _Callee(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
 class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
     """A kernel as Python calls it; kernels that call it are given its callee."""
 
-    callee_cache: Any = None
-    _callee: _Callee | None = None
+    def __init__(self, function: Callable[..., Any], options: dict[str, Any]) -> None:
+        super().__init__(function, {}, options, _KernelCompiler)
+        self.callee_cache: Callable[[], Any] | None = None
+        self._callee: _Callee | None = None
 
     def known(self, args: tuple[Any, ...]) -> CompileResult | None:
         """Return the kernel compiled for these types, if that has been done; None else."""
@@ -125,7 +148,9 @@ class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
             if self.callee_cache is not None:
                 self._callee._cache = self.callee_cache()
         plain = tuple(map(types.unliteral, args))
-        return self._callee.get_call_template(plain, {n: types.unliteral(t) for n, t in kws.items()})
+        return self._callee.get_call_template(
+            plain, {n: types.unliteral(t) for n, t in kws.items()}
+        )
 
     def get_overload(self, sig: Any) -> Any:
         """Return the name of the callee for a caller's call."""

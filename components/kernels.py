@@ -174,12 +174,12 @@ class _CalleeCache(_KernelCache):
     _impl_class = CalleeCacheImpl
 
 
-def _compile(function: _Kernel, kind: str, **options: bool) -> _Kernel:
-    # Nobody calls a kernel from C: its wrapper would cost a tenth of the compile time.
+def _compile(function: _Kernel, kind: str, **options: Any) -> _Kernel:
     if numba.config.DISABLE_JIT:
         return function
-    options = {"nopython": True, "error_model": "numpy", "no_cfunc_wrapper": True, **options}
-    compiled = Kernel(function, targetoptions=options)
+    # Nobody calls a kernel from C: its wrapper would cost a tenth of the compile time.
+    numbas = {"nopython": True, "error_model": "numpy", "no_cfunc_wrapper": True}
+    compiled = Kernel(function, numbas | options)
     if CACHED and Path(function.__code__.co_filename).is_file():
         compiled._cache = _KernelCache(function, kind)
         compiled.callee_cache = partial(_CalleeCache, function, f"{kind}.callee")
