@@ -14,16 +14,17 @@ import re
 import sys
 import uuid
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Final, TypeVar, cast
 
 import numba
 from numba.core.caching import FunctionCache
-from numba.core.dispatcher import Dispatcher
 from numba.core.serialize import dumps
 from platformdirs import user_cache_path
+
+from components.kernel_dispatch import CalleeCacheImpl, Kernel
 
 _Kernel = TypeVar("_Kernel", bound=Callable[..., Any])
 _FIRST_PARTY: Final = rb"(?:components|systems|reefgame|tools)"
@@ -167,15 +168,21 @@ class _KernelCache(FunctionCache):  # type: ignore[misc]  # numba is untyped
         self._cache_file = _KernelFiles(Path(self.cache_path), stem, stamp)
 
 
-def _compile(function: _Kernel, kind: str, **options: bool) -> _Kernel:
+class _CalleeCache(_KernelCache):
+    """The same of one function as other kernels call it."""
+
+    _impl_class = CalleeCacheImpl
+
+
+def _compile(function: _Kernel, kind: str, **options: Any) -> _Kernel:
+    if numba.config.DISABLE_JIT:
+        return function
     # Nobody calls a kernel from C: its wrapper would cost a tenth of the compile time.
-    compiled = numba.njit(error_model="numpy", no_cfunc_wrapper=True, **options)(function)
-    if (
-        CACHED
-        and isinstance(compiled, Dispatcher)
-        and Path(function.__code__.co_filename).is_file()
-    ):
+    numbas = {"nopython": True, "error_model": "numpy", "no_cfunc_wrapper": True}
+    compiled = Kernel(function, numbas | options)
+    if CACHED and Path(function.__code__.co_filename).is_file():
         compiled._cache = _KernelCache(function, kind)
+        compiled.callee_cache = partial(_CalleeCache, function, f"{kind}.callee")
     return cast(_Kernel, compiled)
 
 

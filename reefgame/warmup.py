@@ -24,7 +24,10 @@ from components.kernels import CACHED, sources_hash
 from reefgame.console import Report, progress_bar
 from reefgame.content import load
 from reefgame.world import World
+from systems.mind.think import Think
 from systems.view.cull import Culling, view_of
+from systems.view.fish_levels import levels_for
+from systems.view.skin_texture import skin_texels
 
 DOING: Final = "compiling kernels (first launch only)"
 _KERNELS: Final = 145
@@ -64,26 +67,30 @@ def stamp(live: bool = False) -> Path:
     return Path(numba.config.CACHE_DIR) / f"{digest}{'.live' if live else ''}.compiled"
 
 
-def compile_backwards() -> None:
-    """Compile from the last system of the tick to the first, and before that what a frame needs.
+def compile_beside(live: bool) -> None:
+    """Compile what a frame needs, then all systems from the tick's last to its first but for the minds; paint skins.
 
-    A second process does this while the first compiles forwards: what one has put into the cache the other reads, so
-    they meet about half-way.
+    A second process does this while the first compiles the minds, which take as long: what one has put into the cache
+    the other reads.
     """
-    world = World.build(load(_LEVEL))
+    world = World.build(load(_LEVEL), live=int(live))
     ship, people = world.submarine, world.population
     camera = camera_at(ship.position[0], float(ship.yaw[0]), 0.0)
     view = view_of(camera, 360.0, 16.0 / 9.0, world.level.water.visibility_m)
     Culling(np.zeros(len(world.species)), world.library.after)(people, view, 0.5, 0.0)
     for system in reversed(world.systems):
-        system()
+        if not isinstance(system, Think):
+            system()
+    for species in world.species:
+        skin_texels(species.skin, species.body)
+        levels_for(species.body)
 
 
-def _second_process() -> "subprocess.Popen[bytes] | None":
+def _second_process(live: bool) -> "subprocess.Popen[bytes] | None":
     """Start the other half of the work where it can help; whatever becomes of it costs time, no more."""
     if not CACHED or (os.cpu_count() or 1) < 2:
         return None
-    program = "from reefgame.warmup import compile_backwards; compile_backwards()"
+    program = f"from reefgame.warmup import compile_beside; compile_beside({live})"
     quiet = subprocess.DEVNULL
     with suppress(OSError):
         return subprocess.Popen(
@@ -122,14 +129,17 @@ class _Counter(event.Listener):  # type: ignore[misc]  # numba is untyped
 
 def _compile_all(report: Report, live: bool) -> None:
     report(0.0, DOING)
-    beside = _second_process()
+    beside = _second_process(live)
     with counting_kernels(report, _KERNELS + (_LIVE_KERNELS if live else 0)):
         world = World.build(load(_LEVEL), live=int(live))
-        world.tick()
+        for system in world.systems:
+            if isinstance(system, Think):
+                system()
         world.checksums()
+        if beside is not None:
+            beside.wait()
+        world.tick()
         world.restore(world.snapshot())
-    if beside is not None:
-        beside.wait()
     report(1.0, DOING)
     if CACHED:
         with suppress(OSError):

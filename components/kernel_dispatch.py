@@ -1,0 +1,163 @@
+"""How kernels call kernels: what a kernel needs as a callee is compiled, and no more (FINDINGS 5).
+
+numba makes of every function machine code and a wrapper for Python, though most kernels are only ever called by
+kernels, whose own machine code holds them: that was half of a first launch. Here a callee is kept as LLVM's
+intermediate code; one that Python calls too is compiled for it when it does.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import llvmlite.binding
+from numba.core import types
+from numba.core.caching import CompileResultCacheImpl
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import Compiler, CompileResult, DefaultPassBuilder
+from numba.core.registry import CPUDispatcher
+from numba.core.typed_passes import NativeLowering
+from numba.core.untyped_passes import InlineInlinables
+
+from components.kernel_fields import FieldsOnce, LowerFields
+
+
+class _CalleeLibrary(JITCodeLibrary):  # type: ignore[misc]  # numba is untyped
+    """The intermediate code of a callee with all that it calls; nothing of it runs by itself."""
+
+    def _optimize_final_module(self) -> None:
+        """Leave that to the caller, who optimises the whole."""
+
+    def _finalize_final_module(self) -> None:
+        self._finalize_dynamic_globals()
+        self._finalized = True
+
+    def serialize_using_object_code(self) -> tuple[str, bytes]:
+        """Return what the cache keeps: there is no object code."""
+        return self.name, self._final_module.as_bitcode()
+
+    @classmethod
+    def of(cls, codegen: Any, name: str, bitcode: bytes) -> "_CalleeLibrary":
+        """Return the library that was serialized."""
+        library = cls(codegen, name)
+        library._final_module = llvmlite.binding.parse_bitcode(bitcode)
+        library._finalized = True
+        return library
+
+
+class _KernelCompiler(Compiler):  # type: ignore[misc]  # numba is untyped
+    """numba's compiler, which reads fields of tuples once where nothing is parallel."""
+
+    def define_pipelines(self) -> Any:
+        """Return numba's passes and ours."""
+        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        if not self.state.flags.auto_parallel.enabled:
+            passes.add_pass_after(FieldsOnce, InlineInlinables)
+            passes.passes = [
+                (LowerFields, why) if step is NativeLowering else (step, why)
+                for step, why in passes.passes
+            ]
+            passes.finalize()
+        return [passes]
+
+
+class _CalleeCompiler(_KernelCompiler):
+    """... stopped before the code runs."""
+
+    def define_pipelines(self) -> Any:
+        """Return the passes of any kernel."""
+        state = self.state
+        state.flags.no_compile = True
+        state.library = _CalleeLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
+        return super().define_pipelines()
+
+
+class CalleeCacheImpl(CompileResultCacheImpl):  # type: ignore[misc]  # numba is untyped
+    """Reads callees back."""
+
+    def rebuild(self, target_context: Any, payload: Any) -> CompileResult:
+        """Return the compiled callee that was saved."""
+        (name, bitcode), fndesc, environment, signature, *rest, reload_init, envs = payload
+        for load in reload_init:
+            load()
+        objectmode, lifted, annotation = rest
+        return CompileResult(
+            typing_context=target_context.typing_context,
+            target_context=target_context,
+            entry_point=object(),
+            typing_error=None,
+            type_annotation=annotation,
+            signature=signature,
+            objectmode=objectmode,
+            lifted=lifted,
+            fndesc=fndesc,
+            library=_CalleeLibrary.of(target_context.codegen(), name, bitcode),
+            call_helper=None,
+            environment=environment,
+            metadata=None,
+            reload_init=reload_init,
+            referenced_envs=envs,
+        )
+
+
+class _Callee(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
+    """A kernel as other kernels call it. Its entry points are but names by which callers find the code."""
+
+    def __init__(self, kernel: "Kernel") -> None:
+        options = {**kernel.targetoptions, "no_cpython_wrapper": True}
+        super().__init__(kernel.py_func, {}, options, _CalleeCompiler)
+        self._kernel = kernel
+
+    def compile(self, sig: Any) -> Any:
+        """Compile for these types, unless the kernel has been compiled for Python, in full."""
+        args = tuple(sig)
+        if args not in self.overloads:
+            full = self._kernel.known(args)
+            if full is not None:
+                self.overloads[args] = full
+        return None if args in self.overloads else super().compile(sig)
+
+    def add_overload(self, cres: CompileResult) -> None:
+        """Let callers find a callee."""
+        if cres.entry_point is None:
+            cres = cres._replace(entry_point=object())
+            self.targetctx.insert_user_function(cres.entry_point, cres.fndesc, [cres.library])
+        self.overloads[tuple(cres.signature.args)] = cres
+
+
+class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
+    """A kernel as Python calls it; kernels that call it are given its callee."""
+
+    def __init__(self, function: Callable[..., Any], options: dict[str, Any]) -> None:
+        super().__init__(function, {}, options, _KernelCompiler)
+        self.callee_cache: Callable[[], Any] | None = None
+        self._callee: _Callee | None = None
+
+    def known(self, args: tuple[Any, ...]) -> CompileResult | None:
+        """Return the kernel compiled for these types, if that has been done; None else."""
+        if args in self.overloads:
+            return self.overloads[args]
+        cres = self._cache.load_overload(args, self.targetctx)
+        if cres is not None:
+            self.targetctx.insert_user_function(cres.entry_point, cres.fndesc, [cres.library])
+            self.add_overload(cres)
+        return cres
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        """Return how a kernel calls this one: constants as any value of their type, so that one compilation serves."""
+        if self._callee is None:
+            self._callee = _Callee(self)
+            if self.callee_cache is not None:
+                self._callee._cache = self.callee_cache()
+        plain = tuple(map(types.unliteral, args))
+        return self._callee.get_call_template(
+            plain, {n: types.unliteral(t) for n, t in kws.items()}
+        )
+
+    def get_overload(self, sig: Any) -> Any:
+        """Return the name of the callee for a caller's call."""
+        return self._callee.get_overload(sig) if self._callee else super().get_overload(sig)
+
+    def add_overload(self, cres: CompileResult) -> None:
+        """Take a compiled kernel in, and tell its code where the constants of its callees lie."""
+        super().add_overload(cres)
+        for environment in cres._find_referenced_environments():
+            cres.codegen.set_env(environment.env_name, environment)
