@@ -25,8 +25,6 @@ _SHARE: Final = {
     "midnight": 0.75,
 }
 _COLDER_BELOW: Final = 2.0
-_HOVER: Final = 0.4
-"""Of a cap's radius: over its middle its guests hover."""
 _ROOMY: Final = 5.0
 """Radius of the smallest cap that a fish lives in, over its length."""
 
@@ -88,9 +86,9 @@ def caps_of(plants: Sequence[Plant], floras: Mapping[str, Flora]) -> list[Cap]:
 
 
 def shelters_of(caps: Sequence[Cap], species: Sequence[Species]) -> list[tuple[Point, int]]:
-    """Return home points, (x, y, z) and row of the species: over each anemone that stings, for who finds room in it."""
+    """Return home points, (x, y, z) and row of the species: amid each anemone that stings, for who finds room in it."""
     return [
-        ((cap.centre[0], cap.centre[1], cap.centre[2] + _HOVER * cap.radius), kind)
+        (cap.centre, kind)
         for cap in caps
         for kind, one in enumerate(species)
         if one.temper.at_home and cap.stings and cap.radius >= _ROOMY * one.length

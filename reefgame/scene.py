@@ -7,11 +7,15 @@ a pixel; fishes come after it because their fins are blended over what lies behi
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
+import numpy as np
+
+from components.arrays import Float32s
 from components.camera import Camera
 from components.field import pack
 from reefgame.bed import Bed, growth_of
 from reefgame.content.schema.level import Level
 from systems.sea.choose import Backend, choose
+from systems.sea.pass_by import PassBy
 from systems.view.context import ensure_context
 from systems.view.cull import view_of
 from systems.view.draw_contact import NO_FEET, DrawContact
@@ -83,6 +87,7 @@ class Scene:
         defines = self.quality.defines
         self._frame = FrameBlock(smooth=quality == "high")
         self._bed = self._grown(fibres) if world.plants else None
+        self._passers = None if self._bed is None else self._passing(self._bed)
         self._ground = DrawGround(world.terrain, self._look.sun(), defines)
         heads = heads_of(world.level)
         boulders = [rock for rock in range(len(world.level.rocks)) if rock not in heads]
@@ -108,8 +113,7 @@ class Scene:
         pixels = height * self.quality.detail
         if self._bed is not None:
             view = view_of(camera, pixels, aspect, look.visibility)
-            tick = self._world.clock.now - 1 + alpha
-            self._bed.draw(view, pack(self._world.singularities, tick), seconds)
+            self._bed.draw(view, self._flow(alpha), seconds)
         self._rocks.draw(camera, aspect, height)
         self._corals.draw(camera, aspect, height)
         self._rubble.draw(camera, aspect)
@@ -129,6 +133,12 @@ class Scene:
         """Return why something else bends the plants than was asked for, in one line; empty where nothing does."""
         return "" if self._bed is None else self._bed.bender.note
 
+    def _flow(self, alpha: float) -> Float32s:
+        """Return what stirs the plants: the level's singularities, and the fishes that pass."""
+        world = self._world
+        steady = pack(world.singularities, world.clock.now - 1 + alpha)
+        return np.concatenate([steady, self._passers(alpha)]) if self._passers else steady
+
     def _grown(self, fibres: Backend) -> Bed:
         quality = self.quality
         return Bed(
@@ -139,6 +149,11 @@ class Scene:
             quality.triangles,
             quality.defines,
         )
+
+    def _passing(self, bed: Bed) -> PassBy:
+        world = self._world
+        spheres = bed.garden.clump_sphere
+        return PassBy(world.population, world.species, spheres, world.terrain.radius)
 
     def delete(self) -> None:
         """Free all that the scene holds on the GPU."""

@@ -65,6 +65,13 @@ def spawner(world: "World") -> Spawn:
     )
 
 
+def stirrer(world: "World") -> Stir:
+    """Return the system that places singularities before the first tick and is part of every tick."""
+    return Stir(
+        world.singularities, world.key_frames, world.submarine, world.population, world.clock
+    )
+
+
 def live(world: "World", track: Track) -> tuple[Live, ...]:
     """Return the system of live physics on move's `track`, none where no fish may be live."""
     if not world.live.count:
@@ -87,7 +94,7 @@ def schedule(world: "World") -> tuple[System, ...]:
         Pilot(world.submarine, orders, terrain, avatar),
         Become(avatar, orders, fishes, world.submarine, terrain, clock),
         Obey(avatar, orders, fishes, world.food, senses, terrain, clock),
-        Stir(world.singularities, world.key_frames, world.submarine, fishes, clock),
+        world.stir,
         Think(fishes, senses, terrain, world.submarine, clock, world.food, world.habitat),
         Sting(world.anemones, fishes, senses, terrain, clock),
         Bound(fishes, senses, terrain),

@@ -32,7 +32,7 @@ from reefgame.content.planting import planting
 from reefgame.content.schema.level import Level
 from reefgame.flow_tables import singularities_of
 from reefgame.level_tables import caps_of, cohorts_of, food_of, habitat_of, patches_of, shelters_of
-from reefgame.schedule import schedule, spawner
+from reefgame.schedule import schedule, spawner, stirrer
 from reefgame.snapshot import Snapshot
 from systems.motor.live import Live
 
@@ -79,6 +79,7 @@ class World:
         self.goals = _goals(content)
         self.objective = ObjectiveTable(count=len(self.goals))
         self.spawn = spawner(self)
+        self.stir = stirrer(self)
         self.systems = schedule(self)
 
     @classmethod
@@ -92,6 +93,7 @@ class World:
         """
         world = cls(content, seed, live, caps)
         world.spawn()
+        world.stir()
         return world
 
     def tick(self, command: Command = Command()) -> None:  # noqa: B008 (an immutable tuple)

@@ -219,6 +219,19 @@ def stray_m(o: Observation, of: str, _: str | None) -> float:
     return float(np.nanpercentile(np.linalg.norm(way, axis=3).min(axis=2), 95))
 
 
+def went_m(o: Observation, of: str, _: str | None) -> float:
+    """Return how far [m] each of the group is in the end from where it was; the median over its fishes."""
+    place = o.position[:, o.of(of)]
+    return float(np.nanmedian(np.linalg.norm(place[-1] - place[0], axis=1)))
+
+
+def turns_round(o: Observation, of: str, _: str | None) -> float:
+    """Return how often each of the group went round the world's middle, against the clock from above; the median."""
+    x, y = o.position[:, o.of(of), 0], o.position[:, o.of(of), 1]
+    turns = np.unwrap(np.arctan2(y, x), axis=0) / (2.0 * np.pi)
+    return float(np.nanmedian(turns[-1] - turns[0]))
+
+
 def inside_m(o: Observation, of: str, _: str | None) -> float:
     """Return how deep [m] a fish's origin was in ground or rock, or out of the water, in any tick; 0 for never."""
     return max(0.0, -float(np.nanmin(o.clear[:, o.of(of)])))
@@ -276,7 +289,7 @@ MEASURES: Final[dict[str, Measure]] = {
         at_submarine_share, berth_m, fed_share, flight_distance_m, hunted_share, inside_m,
         largest_part, mated_share, nearest_neighbour_bl, overlap_share, parted_share,
         phases_danced, polarisation, rejoined_s, rise_m, speed_bl, stray_m, submarine_m,
-        survivors_share, touching_share,
+        survivors_share, touching_share, turns_round, went_m,
     )
 }  # fmt: skip
 """Every measure by its name, as scenes name it."""

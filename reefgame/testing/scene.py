@@ -1,17 +1,19 @@
 """`read_scene`: a scene's file with the species that it needs, all checked before anything swims."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from components.species import Species
 from reefgame.content.anatomy import species_of
 from reefgame.content.assembly import catalogue
-from reefgame.content.catalogue import SPECIES, Catalogue
+from reefgame.content.catalogue import FLORA, SPECIES, Catalogue
 from reefgame.content.errors import ContentError, Problem, did_you_mean, listed, quoted
 from reefgame.content.level_checks import level_problems
-from reefgame.content.loading import Content, repertoires
+from reefgame.content.loading import Content, floras_in, repertoires
 from reefgame.content.nodes import Mapping, merged, without
+from reefgame.content.plant_checks import plant_problems
+from reefgame.content.schema.flow import carried_by
 from reefgame.content.schema.level import Group, Level, Objective, PhotographGoal, Start
 from reefgame.content.schema.species import SpeciesFile
 from reefgame.content.schema.validate import node_at, validate
@@ -63,14 +65,25 @@ def _scene(path: Path, tree: Mapping, known: Catalogue, control: Scene | None) -
             full[name] = known.find(SPECIES, name, node_at(tree, location).mark)
         except ContentError as error:
             problems += error.problems
+    grown: dict[str, str] = {}
+    for index, place in enumerate(file.plants):
+        try:
+            mark = node_at(tree, ("plants", index, "flora")).mark
+            grown[place.flora] = known.find(FLORA, place.flora, mark)
+        except ContentError as error:
+            problems += error.problems
     if problems:
         raise ContentError(problems)
-    level = _level(file, full, shown(path))
-    problems += level_problems(level, tree)
+    level = _level(file, full, grown, shown(path))
+    floras = floras_in(known, level)
+    problems += [*level_problems(level, tree), *plant_problems(level, tree, floras)]
     if problems:
         raise ContentError(problems)
     files = {full[name]: _species_file(tree, name, full[name], known) for name in full}
-    return Scene(path.stem, file, tuple(_contents(file, full, level, files, known)), control)
+    contents = tuple(
+        replace(content, floras=floras) for content in _contents(file, full, level, files, known)
+    )
+    return Scene(path.stem, file, contents, control)
 
 
 def _species_file(tree: Mapping, name: str, full: str, known: Catalogue) -> SpeciesFile:
@@ -92,6 +105,9 @@ def _species_in(file: SceneFile) -> Iterable[tuple[str, tuple[int | str, ...]]]:
         yield group.species, ("fishes", index, "species")
     for index, home in enumerate(file.homes):
         yield home.species, ("homes", index, "species")
+    for index, flow in enumerate(file.flow):
+        if flow.attached is not None and flow.attached.species is not None:
+            yield flow.attached.species, ("flow", index, "attached", "species")
     for name in file.species:
         yield name, ("species", name)
     if file.vary is not None:
@@ -124,7 +140,7 @@ def _no_such(
     return node_at(tree, location).mark.problem(f"there is no {kind} {quoted(name)}{near}")
 
 
-def _level(file: SceneFile, full: dict[str, str], where: str) -> Level:
+def _level(file: SceneFile, full: dict[str, str], grown: dict[str, str], where: str) -> Level:
     """Return the level that the scene is set in; its goal and its submarine may be nobody's."""
     groups = [
         Group(
@@ -146,6 +162,13 @@ def _level(file: SceneFile, full: dict[str, str], where: str) -> Level:
         water=file.water,
         day=file.day,
         rocks=file.rocks,
+        plants=tuple(p.model_copy(update={"flora": grown[p.flora]}) for p in file.plants),
+        flow=tuple(
+            carried_by(one, full[one.attached.species])
+            if one.attached is not None and one.attached.species is not None
+            else one
+            for one in file.flow
+        ),
         homes=tuple(h.model_copy(update={"species": full[h.species]}) for h in file.homes),
         submarine=file.submarine or Start(at_m=(0.0, 0.0, -0.5 * file.world.depth_m)),
         fishes=tuple(groups),

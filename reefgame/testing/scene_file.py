@@ -1,6 +1,6 @@
 """What a scene's file may say: a level without a player, moods, a duration, and what is measured and expected.
 
-Water, rocks, homes and food are written as in a level's file, with the same units.
+Water, rocks, plants, homes, flow and food are written as in a level's file, with the same units.
 """
 
 from typing import Annotated, Any, Literal, TypeAlias
@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
+from reefgame.content.schema.flow import Flows
 from reefgame.content.schema.level import (
     Bounds,
     Day,
@@ -19,6 +20,7 @@ from reefgame.content.schema.level import (
     Start,
     Water,
 )
+from reefgame.content.schema.plants import PlantPlace
 from reefgame.content.schema.strict import (
     Degrees,
     Fraction,
@@ -102,7 +104,9 @@ class SceneFile(Strict):
     water: Water = Water()
     day: Day = Day()
     rocks: Annotated[tuple[RockPlace, ...], Field(max_length=400)] = ()
+    plants: Annotated[tuple[PlantPlace, ...], Field(max_length=400)] = ()
     homes: Annotated[tuple[Home, ...], Field(max_length=200)] = ()
+    flow: Flows = ()
     submarine: Start | None = None
     """Null: there is none."""
     fishes: Annotated[tuple[SceneGroup, ...], Field(max_length=100)]

@@ -47,7 +47,9 @@ class Track(Strict):
             if after.at_s <= before.at_s:
                 text = "key frames must come in the order of time: frames[{number}] at {at} s follows {before} s"
                 raise PydanticCustomError(
-                    "track", text, {"number": number, "at": after.at_s, "before": before.at_s}
+                    "track",
+                    text,
+                    {"number": number, "at": f"{after.at_s:g}", "before": f"{before.at_s:g}"},
                 )
         if len({frame.at_m is None for frame in frames}) > 1:
             raise PydanticCustomError("track", "all frames of a track have an `at_m`, or none has")
