@@ -19,6 +19,7 @@ from systems.sea.pass_by import PassBy
 from systems.view.context import ensure_context
 from systems.view.cull import view_of
 from systems.view.draw_contact import NO_FEET, DrawContact
+from systems.view.draw_corals import DrawCorals, Head
 from systems.view.draw_fish import DrawFish
 from systems.view.draw_food import DrawFood
 from systems.view.draw_ground import DrawGround
@@ -67,6 +68,11 @@ def look_of(level: Level) -> Look:
     )
 
 
+def heads_of(level: Level) -> dict[int, Head]:
+    """Return how those of the level's rocks look that are coral heads, by index."""
+    return {at: rock.look for at, rock in enumerate(level.rocks) if rock.look != "boulder"}
+
+
 class Scene:
     """Draws one world. Reads its terrain, plants, flow and population; writes to the GPU only.
 
@@ -83,7 +89,10 @@ class Scene:
         self._bed = self._grown(fibres) if world.plants else None
         self._passers = None if self._bed is None else self._passing(self._bed)
         self._ground = DrawGround(world.terrain, self._look.sun(), defines)
-        self._rocks = DrawRocks(world.terrain, self._look.sun(), defines)
+        heads = heads_of(world.level)
+        boulders = [rock for rock in range(len(world.level.rocks)) if rock not in heads]
+        self._rocks = DrawRocks(world.terrain, self._look.sun(), defines, boulders)
+        self._corals = DrawCorals(world.terrain, self._look.sun(), heads, defines)
         feet = NO_FEET if self._bed is None else self._bed.feet()
         self._contact = DrawContact(world.terrain, self._look.sun(), feet)
         self._rubble = DrawRubble(world.terrain, self._look.sun(), defines)
@@ -106,6 +115,7 @@ class Scene:
             view = view_of(camera, pixels, aspect, look.visibility)
             self._bed.draw(view, self._flow(alpha), seconds)
         self._rocks.draw(camera, aspect, height)
+        self._corals.draw(camera, aspect, height)
         self._rubble.draw(camera, aspect)
         self._ground.draw(camera, aspect)
         self._contact.draw(camera, aspect)
@@ -154,6 +164,7 @@ class Scene:
                 self._frame,
                 self._ground,
                 self._rocks,
+                self._corals,
                 self._rubble,
                 self._contact,
                 self._water,

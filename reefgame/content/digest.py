@@ -43,7 +43,9 @@ def content_hash(
     digest = hashlib.blake2b(digest_size=16)
     # What came into the format later counts only where a file uses it: older dives stay known.
     unused = {key for key in ("flow", "plants") if not getattr(level, key)}
-    _add(digest, level.model_dump(mode="json", exclude=set(_LEVEL_WORDS) | unused))
+    looks: dict[str, Any] = {"rocks": {"__all__": {"look"}}}
+    left_out = dict.fromkeys(_LEVEL_WORDS | unused, True)
+    _add(digest, level.model_dump(mode="json", exclude=left_out | looks))
     for name, flora in floras.items():
         _add(digest, {name: [flora.room, flora.stands, _felt(flora.form)]})
     for name in sorted(species):

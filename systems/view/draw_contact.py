@@ -1,4 +1,4 @@
-"""Soft dark rings on the sand where rocks and plants stand in it: finer than light baked into the seabed's grid can be."""
+"""Soft dark rings on the sand about rocks and plants: finer than light baked into the seabed's grid can be."""
 
 from typing import Final
 
@@ -56,7 +56,7 @@ def ring_mesh(terrain: Terrain, rock: int, sun: Float64s) -> Float64s:
 
 
 def foot_mesh(terrain: Terrain, foot: Float64s, sun: Float64s) -> Float64s:
-    """Return place [m] and darkness of the points of a plant's rings, (rings * AROUND, 4); `foot` as DrawContact has it."""
+    """Return place [m] and darkness of a plant's rings, (rings * AROUND, 4); `foot` as DrawContact says."""
     angle = np.arange(AROUND) * (2.0 * np.pi / AROUND)
     away = np.stack((np.cos(angle), np.sin(angle)), axis=1)
     lee = 1.0 - 0.6 * away @ sun[:2]

@@ -1,7 +1,7 @@
 """Draws the oral discs of anemones, each on the last node of its foot (papers/002, 3.1)."""
 
 from collections.abc import Sequence
-from ctypes import byref, c_uint, c_void_p
+from ctypes import c_uint, c_void_p
 from typing import Final
 
 import numpy as np
@@ -56,7 +56,10 @@ def dome_of(garden: Garden, disc: Disc) -> float:
 
 
 class DrawDiscs:
-    """Draws a garden's discs. Reads its nodes; writes to the GPU only. `light` is of its tufts, `side` of its fibres."""
+    """Draws a garden's discs. Reads its nodes; writes to the GPU only.
+
+    `light` is of its tufts, `side` of its fibres.
+    """
 
     def __init__(
         self,

@@ -11,7 +11,7 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from components.arrays import Float32s, Float64s, Int64s
+from components.arrays import AnyArray, Float32s, Float64s, Int64s
 from components.flora import Disc, Look
 from components.garden import Garden
 from components.terrain import Terrain
@@ -148,8 +148,8 @@ class DrawFibres:
         self._finish()
         return choice
 
-    def _write(self, choice: Choice) -> tuple[list[tuple[int, ...]], Float32s]:
-        """Write the rings of what was chosen; return pieces (shape, level, rings, first record, records) and records."""
+    def _write(self, choice: Choice) -> tuple[list[tuple[int, int, int, int, int]], Float32s]:
+        """Write the rings of what was chosen; return pieces (shape, level, rings, first, number) of the records."""
         shape = self.tufts.shape[choice.tuft]
         key = (shape * LEVELS + choice.level) * _KEY + choice.rings
         order = np.argsort(key, kind="stable")
@@ -174,7 +174,7 @@ class DrawFibres:
         ]
         return pieces, records
 
-    def _write_rings(self, fibre: Int64s, rings: Int64s, starts: Int64s) -> None:
+    def _write_rings(self, fibre: AnyArray, rings: Int64s, starts: Int64s) -> None:
         total = self._rings.whole_rows(int(rings.sum()) * RING // 4) * 4 // RING
         if total > len(self._room):
             self._room = np.zeros((2 * total, RING), np.float32)

@@ -1,6 +1,6 @@
-"""Draws food that drifts: pale pellets, soft points lit like all else (papers/004's particles).
+"""Draws food that drifts: specks of plankton, soft points lit like all else (papers/004's particles).
 
-One record a particle, place and diameter; those beyond some metres are too small to see and stay out.
+One record a particle: place, length and a chance of its own. Those beyond some metres are too small to see.
 """
 
 from ctypes import byref, c_uint
@@ -15,13 +15,13 @@ from systems.view.program import load_program
 
 FARTHEST: Final = 14.0
 """[m] from the eye beyond which a particle is not drawn."""
-_DIAMETER: Final = 0.013
+_LENGTH: Final = 0.014
 """[m] of a particle of a twentieth of a gram."""
 _MEAL: Final = 0.05
 
 
 def seen_food(food: FoodTable, camera: Camera, alpha: float, now: int) -> Float32s:
-    """Return place [m] and diameter [m] of the particles in the water before the camera, (n, 4), farthest first.
+    """Return place [m], length [m] and chance of the particles in the water before the camera, (n, 5), farthest first.
 
     They stand `alpha` of the way from the last tick to `now`.
     """
@@ -32,9 +32,10 @@ def seen_food(food: FoodTable, camera: Camera, alpha: float, now: int) -> Float3
     seen = (far < FARTHEST**2) & (ways @ camera.forward > 0.0) & (food.returns[:count] <= now)
     chosen = np.flatnonzero(seen)
     chosen = chosen[np.argsort(-far[chosen], kind="stable")]
-    records = np.empty((len(chosen), 4), np.float32)
+    records = np.empty((len(chosen), 5), np.float32)
     records[:, :3] = last[chosen] + alpha * (place[chosen] - last[chosen])
-    records[:, 3] = _DIAMETER * np.cbrt(food.meal[chosen] / _MEAL)
+    records[:, 4] = chosen * 0.6180339887498949 % 1.0
+    records[:, 3] = _LENGTH * np.cbrt(food.meal[chosen] / _MEAL)
     return records
 
 
@@ -51,7 +52,9 @@ class DrawFood:
         gl.glBindVertexArray(self._array)
         gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffer)
         gl.glEnableVertexAttribArray(0)
-        gl.glVertexAttribPointer(0, 4, gl.GL_FLOAT, gl.GL_FALSE, 0, 0)
+        gl.glVertexAttribPointer(0, 4, gl.GL_FLOAT, gl.GL_FALSE, 20, 0)
+        gl.glEnableVertexAttribArray(1)
+        gl.glVertexAttribPointer(1, 1, gl.GL_FLOAT, gl.GL_FALSE, 20, 16)
         gl.glBindVertexArray(0)
 
     def draw(self, food: FoodTable, camera: Camera, alpha: float, now: int) -> None:

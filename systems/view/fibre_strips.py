@@ -58,12 +58,13 @@ def _across(wanted: Float64s, along: Float64s) -> Float32s:
     size = np.linalg.norm(side, axis=1, keepdims=True)
     other = np.cross(along, np.where(np.abs(along[:, :1]) < 0.6, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
     side = np.where(size > 1e-6, side, other)
-    return (side / np.maximum(np.linalg.norm(side, axis=1, keepdims=True), _LEAST)).astype("f4")
+    size = np.linalg.norm(side, axis=1, keepdims=True)
+    return np.asarray(side / np.maximum(size, _LEAST), np.float32)
 
 
 @row
 def _spline(position: Float32s, first: int, lane: int, nodes: int, at: float, out: Float64s) -> int:
-    """Write the point [m] and its derivative at node number `at` of a fibre: Catmull and Rom's; return the node below."""
+    """Write the point [m] and derivative at node number `at` of a fibre, by Catmull and Rom; return the node below."""
     i = min(int(at), nodes - 2)
     u = at - i
     for c in range(3):

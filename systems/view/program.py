@@ -13,6 +13,7 @@ SAMPLER_UNITS: Final = {
     "relief_map": 5,
     "stone_map": 4,
     "mark_map": 8,
+    "coral_map": 9,
 }
 """Texture units of the maps that `FrameBlock` binds; drawers of their own textures take 0 to 3."""
 

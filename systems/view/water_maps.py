@@ -1,4 +1,4 @@
-"""Tileable maps that shaders read: caustics, noise, surface waves, sand, stone, marks (FINDINGS 8, Look).
+"""Tileable maps that shaders read: caustics, noise, surface waves, sand, stone, coral, marks (FINDINGS 8, Look).
 
 Computed once from a fixed seed: noise looked up costs software GL a tenth of noise computed.
 """
@@ -130,6 +130,21 @@ def mark_map() -> Float64s:
     return np.stack((spots, bands, stripes, mottled), axis=-1)
 
 
+def coral_map() -> Float64s:
+    """Return a brain coral's slopes along x and y (.5: level), ridges, polyps, (SIDE, SIDE, 4) of 0..1."""
+    rng = np.random.default_rng(1778)
+    # Noise of nearly one wave length: where it is above 0 are ridges that wander and fork.
+    wandering = spectral_noise(rng, 0.0, 9.5, 12.5)
+    ridges = 0.5 + 0.5 * np.tanh(1.6 * wandering + 0.35)
+    height = ridges + 0.05 * spectral_noise(rng, 0.6, 30, 110)
+    slope_x = np.roll(height, -1, 0) - np.roll(height, 1, 0)
+    slope_y = np.roll(height, -1, 1) - np.roll(height, 1, 1)
+    spread = 2.5 * np.sqrt((slope_x**2 + slope_y**2).mean() / 2)
+    polyps = np.clip(1.5 * voronoi_gap(rng, 30, 0.05), 0.0, 1.0)
+    shape = (_unit(slope_x, -spread, spread), _unit(slope_y, -spread, spread))
+    return np.stack((*shape, np.clip(ridges, 0.0, 1.0), polyps), axis=-1)
+
+
 def _ripples(rng: np.random.Generator) -> Float64s:
     """Return the height of sand ripples: crests along y that wander and fork, (SIDE, SIDE)."""
     across = np.arange(SIDE)[:, None] * (2 * np.pi * 11 / SIDE)
@@ -167,6 +182,7 @@ _MAKERS: Final = {
     "relief_map": relief_map,
     "stone_map": stone_map,
     "mark_map": mark_map,
+    "coral_map": coral_map,
 }
 
 

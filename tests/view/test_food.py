@@ -35,4 +35,4 @@ def test_particles_stand_between_two_ticks_and_larger_meals_are_larger() -> None
 
 
 def test_a_sea_without_food_shows_none() -> None:
-    assert seen_food(particles(), CAMERA, 1.0, 0).shape == (0, 4)
+    assert seen_food(particles(), CAMERA, 1.0, 0).shape == (0, 5)

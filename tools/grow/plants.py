@@ -14,8 +14,8 @@ from components.ground import Terrain, ground_height
 from tools.grow import anemone, coral, kelp, seagrass
 from tools.grow.shape import Part, unit
 
-_SUNK = 0.02
-"""[m] that roots stand in what they stand on."""
+_SUNK = 0.05
+"""[m] that roots stand in what they stand on, which may be round."""
 
 _ON_SAND = 0.05
 """[m] from the ground within which a plant stands on it, not on rock."""

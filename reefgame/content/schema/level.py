@@ -103,6 +103,8 @@ class RockPlace(Strict):
     yaw_deg: Degrees = 0.0
     buried: Annotated[float, Field(ge=0.0, le=0.95)] = 0.35
     """How much of its height lies below the ground."""
+    look: Literal["boulder", "brain_coral", "lobed_coral"] = "boulder"
+    """What it is to the eye; to whoever swims into it all are alike."""
 
 
 class Home(Strict):
