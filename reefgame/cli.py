@@ -121,9 +121,10 @@ def _add_replay(commands: "_Commands[argparse.ArgumentParser]") -> None:
 
 
 def _add_shot(commands: "_Commands[argparse.ArgumentParser]") -> None:
-    shot = commands.add_parser("shot", help="take a picture of a level or a species")
+    shot = commands.add_parser("shot", help="take a picture of a level, a species or a plant")
     shot.add_argument("level", nargs="?")
     shot.add_argument("--species", metavar="NAME", help="a portrait of this species instead")
+    shot.add_argument("--flora", metavar="NAME", help="a portrait of this plant instead")
     _world_options(shot)
     shot.add_argument("--tick", type=_count, default=300, metavar="N", help="when (60 a second)")
     shot.add_argument("--from", dest="eye", type=_point, metavar="X,Y,Z", help="where from [m]")
@@ -290,8 +291,9 @@ def _replay(options: argparse.Namespace) -> int:
 def _shot(options: argparse.Namespace) -> int:
     from reefgame.shot import shoot
 
-    if (options.level is None) == (options.species is None):
-        raise InputError("shot needs a level's name or --species NAME, one of them")
+    subjects = (options.level, options.species, options.flora)
+    if sum(subject is not None for subject in subjects) != 1:
+        raise InputError("shot needs a level's name, --species NAME or --flora NAME, one of them")
     if options.at is None and options.eye is not None:
         raise InputError("--from needs --at as well")
     shoot(options)

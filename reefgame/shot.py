@@ -11,7 +11,7 @@ from components.fish import Population
 from components.repertoire import RepertoireLibrary, pack
 from components.species import Species
 from reefgame.console import complain, progress_bar
-from reefgame.content import load_species
+from reefgame.content import load_species, read_flora
 from reefgame.filming import COCKPIT_SLOPE, cockpit
 from reefgame.opening import open_level
 from reefgame.output import check_output, replacing
@@ -56,6 +56,11 @@ def shoot(options: argparse.Namespace) -> None:
     ensure_context()
     if options.species is not None:
         drawn = portrait(load_species(options.species, options.mod), *options.size)
+    elif options.flora is not None:
+        from reefgame.plant_portrait import plant_portrait
+
+        flora, company = read_flora(options.flora, options.mod), load_species("clownfish")
+        drawn = plant_portrait(flora, company, *options.size)
     else:
         world = _dived(options)
         seconds = options.tick / TICKS_PER_SECOND

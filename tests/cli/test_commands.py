@@ -156,7 +156,7 @@ def test_an_unwritable_folder_costs_the_recording_not_the_dive(
         (("shot", "first_dive", "--from", "1,2", "-o", "x.png"), "point '1,2': three numbers"),
         (("replay", "none.replay", "--verify"), "none.replay:1:1: cannot be read: No such file"),
         (("bench", "speed"), "no bench is called 'speed'; there are motor, minds"),
-        (("shot", "-o", "x.png"), "shot needs a level's name or --species NAME"),
+        (("shot", "-o", "x.png"), "shot needs a level's name, --species NAME or --flora NAME"),
         (("play", "first_dive", "--headless", "--record", "/dev/null/x"), "/dev/null/x: cannot"),
     ],
 )

@@ -47,7 +47,7 @@ def test_an_unknown_level_names_the_nearest(lines: Lines) -> None:
 
 
 def test_a_name_with_no_likeness_lists_the_levels(lines: Lines) -> None:
-    message = "zzz: there is no level 'zzz'; there are first_dive, nine_species or visitors"
+    message = "zzz: there is no level 'zzz'; there are anemone_garden, first_dive, nine_species or visitors"
     assert lines(lambda: load("zzz")) == [message]
 
 

@@ -210,7 +210,7 @@ def test_an_unwritable_cache_costs_time_only(
     assert _named(load("first_dive", [mod]), "sardine").swim.lag_deg == 141
 
 
-@pytest.mark.parametrize("kind", ["mod", "species", "level"])
+@pytest.mark.parametrize("kind", ["mod", "species", "flora", "level"])
 def test_what_new_writes_passes_check(kind: str, folder: Path, checked: Checked) -> None:
     written = new(kind, "no_1", folder)
     assert all(path.is_file() for path in written)
@@ -227,7 +227,7 @@ def test_new_species_and_levels_go_into_the_mod_in_the_folder(
     assert {"kelp:cod", "kelp:kelp_fish"} <= set(catalogue([root])[0].species)
 
 
-@pytest.mark.parametrize("kind", ["mod", "species", "level"])
+@pytest.mark.parametrize("kind", ["mod", "species", "flora", "level"])
 def test_new_refuses_to_overwrite(kind: str, folder: Path, lines: Lines) -> None:
     path = new(kind, "cod", Path())[0]
     before = path.read_bytes()

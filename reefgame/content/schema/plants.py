@@ -37,7 +37,14 @@ class PlantPlace(Strict):
     @field_validator("scale", mode="before")
     @classmethod
     def _both(cls, scale: object) -> object:
-        return (scale, scale) if isinstance(scale, (int, float)) else scale
+        if isinstance(scale, (int, float)):
+            return scale, scale
+        if not isinstance(scale, tuple):
+            message = (
+                "must be a number, such as 1.5, or the smallest and the largest, such as [0.8, 1.2]"
+            )
+            raise PydanticCustomError("scale", message)
+        return scale
 
     @model_validator(mode="after")
     def _one_or_many(self) -> "PlantPlace":
