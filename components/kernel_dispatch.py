@@ -5,14 +5,16 @@ kernels, whose own machine code holds them: that was half of a first launch. Her
 intermediate code; one that Python calls too is compiled for it when it does.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import llvmlite.binding
-from numba.core import types
+from numba.core import ir, types
 from numba.core.caching import CompileResultCacheImpl
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult, DefaultPassBuilder
+from numba.core.compiler_machinery import register_pass
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NativeLowering
 from numba.core.untyped_passes import InlineInlinables
@@ -43,6 +45,32 @@ class _CalleeLibrary(JITCodeLibrary):  # type: ignore[misc]  # numba is untyped
         return library
 
 
+@contextmanager
+def _scopes_uncopied() -> Iterator[None]:
+    """Let copies of a block share their function's names, all of which numba would copy with each block."""
+    before = vars(ir.Scope).get("__deepcopy__")
+    ir.Scope.__deepcopy__ = lambda scope, _: scope
+    try:
+        yield
+    finally:
+        if before is None:
+            del ir.Scope.__deepcopy__
+        else:
+            ir.Scope.__deepcopy__ = before
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _Merge(InlineInlinables):  # type: ignore[misc]  # numba is untyped
+    """numba's pass that takes `merged` functions in."""
+
+    _name = "merge"
+
+    def run_pass(self, state: Any) -> bool:
+        """Change the function; say whether it was."""
+        with _scopes_uncopied():
+            return bool(super().run_pass(state))
+
+
 class _KernelCompiler(Compiler):  # type: ignore[misc]  # numba is untyped
     """numba's compiler, which reads fields of tuples once where nothing is parallel."""
 
@@ -51,10 +79,8 @@ class _KernelCompiler(Compiler):  # type: ignore[misc]  # numba is untyped
         passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
         if not self.state.flags.auto_parallel.enabled:
             passes.add_pass_after(FieldsOnce, InlineInlinables)
-            passes.passes = [
-                (LowerFields, why) if step is NativeLowering else (step, why)
-                for step, why in passes.passes
-            ]
+            ours = {InlineInlinables: _Merge, NativeLowering: LowerFields}
+            passes.passes = [(ours.get(step, step), why) for step, why in passes.passes]
             passes.finalize()
         return [passes]
 
