@@ -153,14 +153,28 @@ class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
     """A kernel as Python calls it; kernels that call it are given its callee."""
 
     def __init__(self, function: Callable[..., Any], options: dict[str, Any]) -> None:
+        """Take a function and numba's options. `caches`, set later, make what keeps the kernel and its callee."""
         super().__init__(function, {}, options, _KernelCompiler)
-        self.callee_cache: Callable[[], Any] | None = None
+        self.caches: tuple[Callable[[], Any], Callable[[], Any]] | None = None
         self._callee: _Callee | None = None
+        self._opened = False
+
+    def compile(self, sig: Any) -> Any:
+        """Compile for these types."""
+        self._open_cache()
+        return super().compile(sig)
+
+    def _open_cache(self) -> None:
+        """Find where the kernel is kept: only as it is needed, for most kernels never are."""
+        if not self._opened and self.caches is not None:
+            self._cache = self.caches[0]()
+        self._opened = True
 
     def known(self, args: tuple[Any, ...]) -> CompileResult | None:
         """Return the kernel compiled for these types, if that has been done; None else."""
         if args in self.overloads:
             return self.overloads[args]
+        self._open_cache()
         cres = self._cache.load_overload(args, self.targetctx)
         if cres is not None:
             self.targetctx.insert_user_function(cres.entry_point, cres.fndesc, [cres.library])
@@ -171,8 +185,8 @@ class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
         """Return how a kernel calls this one: constants as any value of their type, so that one compilation serves."""
         if self._callee is None:
             self._callee = _Callee(self)
-            if self.callee_cache is not None:
-                self._callee._cache = self.callee_cache()
+            if self.caches is not None:
+                self._callee._cache = self.caches[1]()
         plain = tuple(map(types.unliteral, args))
         return self._callee.get_call_template(
             plain, {n: types.unliteral(t) for n, t in kws.items()}
