@@ -5,14 +5,16 @@ kernels, whose own machine code holds them: that was half of a first launch. Her
 intermediate code; one that Python calls too is compiled for it when it does.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import llvmlite.binding
-from numba.core import types
+from numba.core import ir, types
 from numba.core.caching import CompileResultCacheImpl
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult, DefaultPassBuilder
+from numba.core.compiler_machinery import register_pass
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NativeLowering
 from numba.core.untyped_passes import InlineInlinables
@@ -43,6 +45,32 @@ class _CalleeLibrary(JITCodeLibrary):  # type: ignore[misc]  # numba is untyped
         return library
 
 
+@contextmanager
+def _scopes_uncopied() -> Iterator[None]:
+    """Let copies of a block share their function's names, all of which numba would copy with each block."""
+    before = vars(ir.Scope).get("__deepcopy__")
+    ir.Scope.__deepcopy__ = lambda scope, _: scope
+    try:
+        yield
+    finally:
+        if before is None:
+            del ir.Scope.__deepcopy__
+        else:
+            ir.Scope.__deepcopy__ = before
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _Merge(InlineInlinables):  # type: ignore[misc]  # numba is untyped
+    """numba's pass that takes `merged` functions in."""
+
+    _name = "merge"
+
+    def run_pass(self, state: Any) -> bool:
+        """Change the function; say whether it was."""
+        with _scopes_uncopied():
+            return bool(super().run_pass(state))
+
+
 class _KernelCompiler(Compiler):  # type: ignore[misc]  # numba is untyped
     """numba's compiler, which reads fields of tuples once where nothing is parallel."""
 
@@ -51,10 +79,8 @@ class _KernelCompiler(Compiler):  # type: ignore[misc]  # numba is untyped
         passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
         if not self.state.flags.auto_parallel.enabled:
             passes.add_pass_after(FieldsOnce, InlineInlinables)
-            passes.passes = [
-                (LowerFields, why) if step is NativeLowering else (step, why)
-                for step, why in passes.passes
-            ]
+            ours = {InlineInlinables: _Merge, NativeLowering: LowerFields}
+            passes.passes = [(ours.get(step, step), why) for step, why in passes.passes]
             passes.finalize()
         return [passes]
 
@@ -127,14 +153,28 @@ class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
     """A kernel as Python calls it; kernels that call it are given its callee."""
 
     def __init__(self, function: Callable[..., Any], options: dict[str, Any]) -> None:
+        """Take a function and numba's options. `caches`, set later, make what keeps the kernel and its callee."""
         super().__init__(function, {}, options, _KernelCompiler)
-        self.callee_cache: Callable[[], Any] | None = None
+        self.caches: tuple[Callable[[], Any], Callable[[], Any]] | None = None
         self._callee: _Callee | None = None
+        self._opened = False
+
+    def compile(self, sig: Any) -> Any:
+        """Compile for these types."""
+        self._open_cache()
+        return super().compile(sig)
+
+    def _open_cache(self) -> None:
+        """Find where the kernel is kept: only as it is needed, for most kernels never are."""
+        if not self._opened and self.caches is not None:
+            self._cache = self.caches[0]()
+        self._opened = True
 
     def known(self, args: tuple[Any, ...]) -> CompileResult | None:
         """Return the kernel compiled for these types, if that has been done; None else."""
         if args in self.overloads:
             return self.overloads[args]
+        self._open_cache()
         cres = self._cache.load_overload(args, self.targetctx)
         if cres is not None:
             self.targetctx.insert_user_function(cres.entry_point, cres.fndesc, [cres.library])
@@ -145,8 +185,8 @@ class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
         """Return how a kernel calls this one: constants as any value of their type, so that one compilation serves."""
         if self._callee is None:
             self._callee = _Callee(self)
-            if self.callee_cache is not None:
-                self._callee._cache = self.callee_cache()
+            if self.caches is not None:
+                self._callee._cache = self.caches[1]()
         plain = tuple(map(types.unliteral, args))
         return self._callee.get_call_template(
             plain, {n: types.unliteral(t) for n, t in kws.items()}

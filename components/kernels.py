@@ -181,8 +181,10 @@ def _compile(function: _Kernel, kind: str, **options: Any) -> _Kernel:
     numbas = {"nopython": True, "error_model": "numpy", "no_cfunc_wrapper": True}
     compiled = Kernel(function, numbas | options)
     if CACHED and Path(function.__code__.co_filename).is_file():
-        compiled._cache = _KernelCache(function, kind)
-        compiled.callee_cache = partial(_CalleeCache, function, f"{kind}.callee")
+        compiled.caches = (
+            partial(_KernelCache, function, kind),
+            partial(_CalleeCache, function, f"{kind}.callee"),
+        )
     return cast(_Kernel, compiled)
 
 
