@@ -78,6 +78,17 @@ def liked_depth(
     return low, high
 
 
+@inlined
+def _travel(scene: Scene, cohort: int, roaming: Float64s) -> tuple[float, float, float]:
+    """Return where a cohort travels, as `roam` does: remembered in `roaming`, (8,), for its next fish."""
+    if roaming[0] != cohort:
+        roaming[0] = cohort
+        roaming[1], roaming[2], roaming[3] = roam(
+            scene.seed, cohort, scene.now, scene.terrain.radius
+        )
+    return roaming[1], roaming[2], roaming[3]
+
+
 @row
 def _stay_in_range(
     radius: float, x: float, y: float, z: float, low: float, high: float, out: Float64s
@@ -234,7 +245,7 @@ def act(
     low, high = liked_depth(terrain, x, y, length, senses.deep[kind], senses.shallow[kind])
     calm = intention in (SCHOOL, WANDER, LEAVE)
     if intention == SCHOOL:
-        to_x, to_y, up = roam(scene.seed, minds.cohort[i], now, terrain.radius)
+        to_x, to_y, up = _travel(scene, minds.cohort[i], attention.roaming[piece])
         blocked = min(max(3.0 - 2.0 * obstacle, 0.0), 1.0)
         gear, urgency, throttle = school(
             crowd, me, attention.near[piece], attention.distance[piece], found, shoal, number,

@@ -78,6 +78,8 @@ class Attention(NamedTuple):
     "offset [m] from the submarine, (PIECES, 8)"
     danger: Float64s
     "the most dangerous predator as `heed` tells of it, (PIECES, 8)"
+    roaming: Float64s
+    "cohort, place x and y [m] and height of where the last school seen travels, (PIECES, 8)"
     shelter: Float64s
     "offset [m] to a hiding-place, (PIECES, 8)"
     out: Float64s
@@ -115,6 +117,7 @@ def make_attention() -> Attention:
         normal=reals(8),
         away=reals(8),
         danger=reals(8),
+        roaming=reals(8),
         shelter=reals(8),
         out=reals(8),
     )

@@ -281,7 +281,7 @@ class Reference:
                 return True
         return False
 
-    def _search(self, me: Body, mates: bool) -> list[tuple[float, Body]]:
+    def _search(self, me: Body) -> list[tuple[float, Body]]:
         sight, visibility = self.sense.sight[me.species], self.world.habitat.visibility
         wide = 1
         while True:
@@ -294,19 +294,16 @@ class Reference:
                     continue
                 if other.id == me.id or not self._in_cone(me, d):
                     continue
-                if mates:
-                    if self._suits(me, other):
-                        found.append((square, other))
-                elif self._swallows(me, other) and other.swallowed_by in (-1, me.id):
+                if self._swallows(me, other) and other.swallowed_by in (-1, me.id):
                     found.append((square * 2.25 if self._in_company(other) else square, other))
             found = sorted(found, key=lambda pair: pair[0])[:8]
-            if len(found) >= (1 if mates else 8) or reach >= min(2.5 * sight, visibility):
+            if len(found) >= 8 or reach >= min(2.5 * sight, visibility):
                 return found
             wide *= 2
 
     def _prey(self, me: Body, target: int) -> tuple[int, float]:
         best, least, near = -1, 1e18, 1e18
-        for square, other in self._search(me, False):
+        for square, other in self._search(me):
             cost = far = sqrt(square)
             if self._in_company(other):
                 far /= 1.5
@@ -355,10 +352,19 @@ class Reference:
                 return other.id, sqrt(square)
         if self.sense.schooling[me.species] or (self.now // 4 + me.id) % 8 != 0:
             return -1, NOBODY
-        for square, other in self._search(me, True):
-            if self._clear(me, other):
-                return other.id, sqrt(square)
-        return -1, 1e18
+        return self._seek_mate(me)
+
+    def _seek_mate(self, me: Body) -> tuple[int, float]:
+        far = min(self.world.habitat.visibility, self.think._willing.sparse.cell)
+        sight, best, least = self.sense.sight[me.species], -1, far * far
+        for other in self.bodies:
+            d = offset(me.at, other.at)
+            square = dot(d, d)
+            if square >= least or square > sight * sight / me.length * other.length:
+                continue
+            if self._suits(me, other) and self._in_cone(me, d) and self._clear(me, other):
+                best, least = other.id, square
+        return best, sqrt(least)
 
     def _unease(self, me: Body) -> float:
         world, sense, kind = self.world, self.sense, me.species
