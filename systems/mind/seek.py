@@ -33,6 +33,9 @@ LOYALTY: Final = 0.7
 
 _MOST_TESTED: Final = 1024
 _WIDEST: Final = 64
+_FIRST_LOOK: Final = 4
+_FARTHEST_PREY: Final = 0.584
+"""Root of `SWALLOWED`, and a little: nothing that is farther, over sight, is both small enough and seen."""
 _PI: Final = 3.141592653589793
 _COMPANY: Final = 4.0
 _BESIDE: Final = 4
@@ -111,7 +114,7 @@ def _search(scene: Scene, me: int, taken: Int64s, attention: Attention, piece: i
     sight = senses.sight[crowd.species[me]]
     keen, visibility = sight * sight / length, scene.habitat.visibility
     cx, cy = crowd.column[me] // plan.columns, crowd.column[me] % plan.columns
-    found, tested, wide = 0, 0, 1
+    found, tested, wide = 0, 0, _FIRST_LOOK
     last = crowd.first[plan.columns * plan.columns]
     while True:
         found = tested = 0
@@ -140,7 +143,7 @@ def _search(scene: Scene, me: int, taken: Int64s, attention: Attention, piece: i
                     if in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me]):
                         counted = _counted(crowd, last, k, square)
                         found = insert(k, counted, sought, distance, found)
-        most = min(2.5 * sight, visibility)
+        most = min(_FARTHEST_PREY * sight, visibility)
         if found >= NEIGHBOURS or tested > _MOST_TESTED or reach >= most or wide >= _WIDEST:
             return found
         wide *= 2

@@ -45,6 +45,7 @@ from systems.mind.perceive import (
     Attention,
     find_runs,
     gather,
+    looks_round,
     make_attention,
 )
 from systems.mind.scene import Minds, Scene, minds_of
@@ -164,12 +165,14 @@ def think_some(
 ) -> None:
     """Let those think whose turn it is, among places begin..end of the crowd."""
     crowd, side = scene.crowd, scene.plan.columns
-    column = layer = -1
-    around = hunter_runs = 0
+    column = layer = here = -1
+    turn = around = hunter_runs = 0
     attention.roaming[piece, 0] = -1.0
     far = min(scene.habitat.visibility, scene.hunters.cell)
     for me in range(begin, end):
-        turn = crowd.column[me] // side // 3 + 2 * (crowd.column[me] % side // 3) - scene.now
+        if crowd.column[me] != here:
+            here = crowd.column[me]
+            turn = here // side // 3 + 2 * (here % side // 3) - scene.now
         waited = scene.now - minds.thought_at[crowd.row[me]]
         if turn & 3 != 0 and waited < LATEST_TICKS:
             continue
@@ -177,9 +180,12 @@ def think_some(
             column, layer = crowd.column[me], crowd.layer[me]
             runs = find_runs(scene.plan, crowd, column, layer, attention.runs[piece])
             around = gather(crowd, runs, attention, piece)
-        hunter_runs = find_sparse_runs(
-            scene.hunters, crowd.x[me], crowd.y[me], crowd.z[me], far, attention.hunter_runs[piece]
-        )
+        hunter_runs = 0
+        if minds.fear[crowd.row[me]] > 0.0 or looks_round(scene.now, crowd.id[me]):
+            hunter_runs = find_sparse_runs(
+                scene.hunters, crowd.x[me], crowd.y[me], crowd.z[me], far,
+                attention.hunter_runs[piece],
+            )  # fmt: skip
         think_one(scene, me, minds, attention, piece, around, hunter_runs)
 
 

@@ -25,7 +25,7 @@ from systems.mind.feel import (
     unease,
 )
 from systems.mind.intend import EAT, MATE, RELENT, WANTING
-from systems.mind.perceive import NO_DANGER, Attention
+from systems.mind.perceive import NO_DANGER, Attention, looks_round
 from systems.mind.scene import Minds, Scene
 from systems.mind.seek import LOYALTY, SMELL, seek_mate, seek_prey, smell_food, suits
 
@@ -144,20 +144,28 @@ def want(
 ) -> tuple[int, int]:  # fmt: skip
     """Feel hunger and libido; return the focus of a meal and the place of a mate, -1 for none.
 
-    Who is in danger looks for neither.
+    Who is in danger looks for neither, who neither eats nor remembers to for a meal in every second thought.
     """
     crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
     kind, length = crowd.species[me], crowd.length[me]
     stomach = in_stomach(minds.eaten[i], minds.ate_at[i], scene.now, senses.digestion[kind])
     plain = appetite(stomach, senses.appetite[kind])
     meal, meal_far, mate, mate_far, wish = -1, NO_DANGER, -1, NO_DANGER, 0.0
-    if not urgent:
+    looks = (
+        urgent
+        or minds.intention[i] == EAT
+        or minds.memory[i] == EAT
+        or looks_round(scene.now, crowd.id[me])
+    )
+    if looks and not urgent:
         meal, meal_far = _seek_food(scene, me, minds, plain, target, attention, piece)
     if senses.role[kind] != _PREDATOR:
         waited = float(scene.now - minds.mated_at[i])
         wish = desire(waited, senses.breeding[kind], hunger_of(plain, 0.0))
     if not urgent and libido_of(wish, 1.0) > WANTING * RELENT:
         mate, mate_far = _seek_mate(scene, me, minds, target, found, attention, piece)
-    minds.hunger[i] = hunger_of(plain, stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR))
+    if looks:
+        tempted = stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR)
+        minds.hunger[i] = hunger_of(plain, tempted)
     minds.libido[i] = libido_of(wish, stimulus(length / (mate_far + 1e-9), MATE_FAR, MATE_NEAR))
     return meal, mate

@@ -35,6 +35,8 @@ class Mind:
     memory: int
     focus: int
     libido: float
+    hunger: float
+    fear: float
     value: float = 0.0
 
 
@@ -99,6 +101,7 @@ class Reference:
                 self.minds[body.id] = Mind(
                     int(mind.intention[i]), int(mind.why[i]), int(mind.since[i]),
                     int(mind.memory[i]), int(mind.focus[i]), float(mind.libido[i]),
+                    float(mind.hunger[i]), float(mind.fear[i]),
                 )  # fmt: skip
         living = {body.id for body in self.bodies}
         self.minds = {k: m for k, m in self.minds.items() if k in living}
@@ -283,7 +286,7 @@ class Reference:
 
     def _search(self, me: Body) -> list[tuple[float, Body]]:
         sight, visibility = self.sense.sight[me.species], self.world.habitat.visibility
-        wide = 1
+        wide = 4
         while True:
             reach = min(self.plan.cell * wide, visibility)
             found = []
@@ -297,7 +300,7 @@ class Reference:
                 if self._swallows(me, other) and other.swallowed_by in (-1, me.id):
                     found.append((square * 2.25 if self._in_company(other) else square, other))
             found = sorted(found, key=lambda pair: pair[0])[:8]
-            if len(found) >= 8 or reach >= min(2.5 * sight, visibility):
+            if len(found) >= 8 or reach >= min(0.584 * sight, visibility):
                 return found
             wide *= 2
 
@@ -400,7 +403,7 @@ class Reference:
         slot = (self.now + 61 * (me.id & 31)) // 1800
         return far if chance.uniform(self.seed, chance.CURIOSITY, slot, me.id) < share else 0.0
 
-    def _mind(self, me: Body) -> Mind:
+    def _mind(self, me: Body) -> Mind:  # noqa: C901 (one feeling after another)
         """Perceive, feel and decide for one fish."""
         sense, kind, old = self.sense, me.species, self.minds[me.id]
         role, schooling = sense.role[kind], sense.schooling[kind] != 0
@@ -408,7 +411,10 @@ class Reference:
         target = old.focus if old.intention in (EAT, MATE) and old.focus in self.at else -1
         near, when, other = self._around(me, target)
         company = (len(near) + self._shoal(me)) if schooling else 0
-        hunters, soon, big = self._hunters(me, target)
+        round_now = (self.now // 4 + me.id) % 2 == 0
+        hunters, soon, big = [], NOBODY, -1
+        if old.fear > 0.0 or round_now:
+            hunters, soon, big = self._hunters(me, target)
         when, other = (soon, big) if soon < when else (when, other)
         fear, danger, predator = self._fear(me, hunters)
         meets, far, speed = self._submarine(me)
@@ -421,9 +427,13 @@ class Reference:
         urgent = blocked or threat or (timid and fear > 0.5)
         stomach = in_stomach(me.eaten, me.ate_at, self.now, sense.digestion[kind])
         plain = max(1.0 - stomach / sense.appetite[kind], -1.0)
-        meal, meal_far = (-1, NOBODY) if urgent else self._meal(me, old, plain, target)
-        tempted = stimulus(me.length, meal_far, 1.0 / 8.0, 1.0 / 2.0)
-        hunger = 0.0 if plain <= -1.0 else clamp(plain + 0.8 * tempted)
+        looks = urgent or EAT in (old.intention, old.memory) or round_now
+        meal, meal_far, hunger = -1, NOBODY, old.hunger
+        if looks and not urgent:
+            meal, meal_far = self._meal(me, old, plain, target)
+        if looks:
+            tempted = stimulus(me.length, meal_far, 1.0 / 8.0, 1.0 / 2.0)
+            hunger = 0.0 if plain <= -1.0 else clamp(plain + 0.8 * tempted)
         wish = 0.0
         if role != PREDATOR:
             waited = max(float(self.now - me.mated_at), 0.0)
@@ -452,7 +462,7 @@ class Reference:
         elif why == CURIOSITY:
             focus = SUBMARINE
         since = self.now if intention != old.intention or threat else old.since
-        return Mind(intention, why, since, memory, focus, libido, value)
+        return Mind(intention, why, since, memory, focus, libido, hunger, fear, value)
 
     def _intend(  # noqa: C901 (the generator's rules, one after another)
         self, me: Body, old: Mind, obstacle: float, collides: float, timid: bool, fear: float,
