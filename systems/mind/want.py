@@ -164,8 +164,7 @@ def want(
         wish = desire(waited, senses.breeding[kind], hunger_of(plain, 0.0))
     if not urgent and libido_of(wish, 1.0) > WANTING * RELENT:
         mate, mate_far = _seek_mate(scene, me, minds, target, found, attention, piece)
-    if looks:
-        tempted = stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR)
-        minds.hunger[i] = hunger_of(plain, tempted)
+    hunger = hunger_of(plain, stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR))
+    minds.hunger[i] = hunger if looks else max(minds.hunger[i], hunger)
     minds.libido[i] = libido_of(wish, stimulus(length / (mate_far + 1e-9), MATE_FAR, MATE_NEAR))
     return meal, mate

@@ -403,7 +403,7 @@ class Reference:
         slot = (self.now + 61 * (me.id & 31)) // 1800
         return far if chance.uniform(self.seed, chance.CURIOSITY, slot, me.id) < share else 0.0
 
-    def _mind(self, me: Body) -> Mind:  # noqa: C901 (one feeling after another)
+    def _mind(self, me: Body) -> Mind:
         """Perceive, feel and decide for one fish."""
         sense, kind, old = self.sense, me.species, self.minds[me.id]
         role, schooling = sense.role[kind], sense.schooling[kind] != 0
@@ -428,12 +428,12 @@ class Reference:
         stomach = in_stomach(me.eaten, me.ate_at, self.now, sense.digestion[kind])
         plain = max(1.0 - stomach / sense.appetite[kind], -1.0)
         looks = urgent or EAT in (old.intention, old.memory) or round_now
-        meal, meal_far, hunger = -1, NOBODY, old.hunger
+        meal, meal_far = -1, NOBODY
         if looks and not urgent:
             meal, meal_far = self._meal(me, old, plain, target)
-        if looks:
-            tempted = stimulus(me.length, meal_far, 1.0 / 8.0, 1.0 / 2.0)
-            hunger = 0.0 if plain <= -1.0 else clamp(plain + 0.8 * tempted)
+        tempted = stimulus(me.length, meal_far, 1.0 / 8.0, 1.0 / 2.0)
+        hunger = 0.0 if plain <= -1.0 else clamp(plain + 0.8 * tempted)
+        hunger = hunger if looks else max(old.hunger, hunger)
         wish = 0.0
         if role != PREDATOR:
             waited = max(float(self.now - me.mated_at), 0.0)
