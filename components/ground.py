@@ -7,14 +7,22 @@ calls with the height field alone.
 """
 
 from collections.abc import Sequence
-from math import floor, sqrt
+from math import ceil, floor, sqrt
 from typing import Final, NamedTuple
 
 import numpy as np
 
 from components.arrays import Float64s, Int32s
 from components.kernels import inlined, row
-from components.rocks import ROCK_REACH, SQUARE, Rock, list_rocks, pack_rocks
+from components.rocks import (
+    ROCK_REACH,
+    ROOF_REACH,
+    SQUARE,
+    Rock,
+    list_rocks,
+    pack_rocks,
+    squares_around,
+)
 
 STRAY: Final = 1.2
 """[m] that fishes swim about their home point."""
@@ -50,7 +58,7 @@ class Terrain(NamedTuple):
     rock_list: Int32s
     "rocks within `ROCK_REACH` of each square, square by square"
     roof: Float64s
-    "[m] z above which a square holds neither ground nor rock, rocks in its reach included, (rock_squares^2,)"
+    "[m] z above which neither ground nor rock is within `ROOF_REACH` of a square, (rock_squares^2,)"
 
     def with_rocks(self, rocks: Sequence[Rock]) -> "Terrain":
         """Return this world with these rocks and no others. Raise ValueError for a radius <= 0."""
@@ -63,26 +71,27 @@ class Terrain(NamedTuple):
             rock_squares=side,
             rock_first=first,
             rock_list=listed,
-            roof=self._roof(side, centre[:, 2] + radii[:, 2], first, listed),
+            roof=self._roof(side, centre, radii, axes),
         )
 
-    def _roof(self, side: int, tops: Float64s, first: Int32s, listed: Int32s) -> Float64s:
-        """Return the highest ground or rock of each square, (side^2,), a cell beyond its border included."""
-        roof = np.empty(side * side)
+    def _roof(self, side: int, centre: Float64s, radii: Float64s, axes: Float64s) -> Float64s:
+        """Return the highest ground or rock within `ROOF_REACH` of each square, (side^2,)."""
         last = len(self.height) - 1
-        for i in range(side):
-            for j in range(side):
-                # Squares at the border also serve what lies beyond the grid.
-                a, b, c, d = (
-                    int(np.clip(edge, 0, last))
-                    for edge in (
-                        i * SQUARE // self.cell - 1, (i + 1) * SQUARE // self.cell + 3,
-                        j * SQUARE // self.cell - 1, (j + 1) * SQUARE // self.cell + 3,
-                    )
-                )  # fmt: skip
-                rocks = tops[listed[first[i * side + j] : first[i * side + j + 1]]]
-                roof[i * side + j] = max(self.height[a:b, c:d].max(), *rocks, -self.depth)
-        return roof
+        # Squares at the border also serve what lies beyond the grid.
+        strips = [
+            slice(
+                min(max(floor((i * SQUARE - ROOF_REACH) / self.cell), 0), last),
+                min(ceil(((i + 1) * SQUARE + ROOF_REACH) / self.cell) + 1, last + 1),
+            )
+            for i in range(side)
+        ]
+        high = np.stack([self.height[strip].max(axis=0) for strip in strips])
+        roof = np.stack([high[:, strip].max(axis=1) for strip in strips], axis=1)
+        np.maximum(roof, -self.depth, out=roof)
+        first, end = squares_around(centre, radii, axes, self.extent, side, ROOF_REACH)
+        for (i, j), (k, m), top in zip(first, end + 1, centre[:, 2] + radii[:, 2], strict=True):
+            np.maximum(roof[i:k, j:m], top, out=roof[i:k, j:m])
+        return np.ascontiguousarray(roof).reshape(-1)
 
     def with_homes(
         self, homes: Sequence[tuple[tuple[float, ...], int]], stray: Sequence[float] = ()
@@ -198,20 +207,22 @@ def clearance(
 ) -> tuple[float, float, float, float]:
     """Return the distance [m] to the nearest of ground, surface, rim and rocks, and the way out.
 
-    The way is a unit vector; the distance is negative inside. Rocks farther than `within` [m], at
-    most `ROCK_REACH`, may be missed.
+    The way is a unit vector; the distance is negative inside. What is farther than `within` [m], at
+    most `ROCK_REACH`, may be missed: then the distance is some number that is larger.
     """
+    square, far = rock_square(terrain, x, y), terrain.radius - within
+    free = min(z - terrain.roof[square], -z)
+    if free > within and within <= ROOF_REACH and far > 0.0 and x * x + y * y < far * far:
+        return free, 0.0, 0.0, 1.0
     h, dx, dy = ground(terrain.height, terrain.extent, terrain.cell, x, y)
     nz = 1.0 / sqrt(dx * dx + dy * dy + 1.0)
     best, bx, by, bz = (z - h) * nz, -dx * nz, -dy * nz, nz
     if -z < best:
         best, bx, by, bz = -z, 0.0, 0.0, -1.0
-    far = terrain.radius - within
     if x * x + y * y > far * far or far < 0.0:
         out = sqrt(x * x + y * y)
         if terrain.radius - out < best:
             best, bx, by, bz = terrain.radius - out, -x / (out + 1e-12), -y / (out + 1e-12), 0.0
-    square = rock_square(terrain, x, y)
     for k in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
         if not _beyond(terrain, terrain.rock_list[k], x, y, z, within):
             d, nx, ny, nz = rock_clearance(terrain, terrain.rock_list[k], x, y, z)

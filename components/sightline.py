@@ -3,12 +3,15 @@
 Along the line only those places are looked at that lie below the highest ground or rock of their square.
 """
 
-from math import floor, sqrt
+from math import ceil, floor, sqrt
+from typing import Final
 
 from components.arrays import Float64s
-from components.ground import Terrain, ground_height, rock_square, to_rock
+from components.ground import Terrain, ground_height, to_rock
 from components.kernels import inlined, row
 from components.rocks import SQUARE
+
+_NEVER: Final = 1e30
 
 
 @row
@@ -32,13 +35,27 @@ def _rock_hides(
 
 
 @inlined
-def _leaves(a: float, d: float, extent: float, at: float) -> float:
-    """Return the share of a line from a to a + d [m] at which it leaves the row of squares that holds `at` [m]."""
-    if d == 0.0:
-        return 1.0
-    square = floor((at + extent) / SQUARE)
-    border = (square + 1.0 if d > 0.0 else square) * SQUARE - extent
-    return (border - a) / d
+def _first_border(a: float, d: float, at: int, extent: float) -> float:
+    """Return the share of a line from a to a + d [m] at which it leaves the row of squares `at`; beyond 1 for never."""
+    border = (at + 1 if d > 0.0 else at) * SQUARE - extent
+    return (border - a) / d if d != 0.0 else _NEVER
+
+
+@inlined
+def _hidden_by_ground(
+    terrain: Terrain, begin: float, end: float, share: float, roof: float,
+    ax: float, ay: float, az: float, dx: float, dy: float, dz: float,
+) -> bool:  # fmt: skip
+    """Return whether one of the line's places between the shares `begin` and `end` lies in the ground."""
+    t = ceil(begin / share) * share
+    while t <= end:
+        z = az + t * dz
+        if z <= roof and z < ground_height(
+            terrain.height, terrain.extent, terrain.cell, ax + t * dx, ay + t * dy
+        ):
+            return True
+        t += share
+    return False
 
 
 @row
@@ -47,29 +64,31 @@ def in_sight(
 ) -> bool:
     """Return whether nothing of rock or ground stands between the points a and b [m].
 
-    The line sinks one way: what it meets, it meets beside a sample that lies below the roof. A square over whose roof
-    the line enters and leaves is passed at once.
+    The line goes from square to square (Amanatides and Woo 1987); one under whose roof it never dips is passed at once.
     """
     dx, dy, dz = bx - ax, by - ay, bz - az
-    steps = int(2.0 * sqrt(dx * dx + dy * dy) / terrain.cell) + 1
-    tested, k = -1, 0
-    while k <= steps:
-        t = k / steps
-        x, y, z = ax + t * dx, ay + t * dy, az + t * dz
-        k += 1
-        square = rock_square(terrain, x, y)
-        if z > terrain.roof[square]:
-            after = min(_leaves(ax, dx, terrain.extent, x), _leaves(ay, dy, terrain.extent, y), 1.0)
-            if az + after * dz > terrain.roof[square]:
-                k = max(k, int(after * steps) + 1)
-            continue
-        if z < ground_height(terrain.height, terrain.extent, terrain.cell, x, y):
-            return False
-        if square != tested:
-            tested = square
+    share = 1.0 / (int(2.0 * sqrt(dx * dx + dy * dy) / terrain.cell) + 1)
+    last, extent = terrain.rock_squares - 1, terrain.extent
+    i, j = floor((ax + extent) / SQUARE), floor((ay + extent) / SQUARE)
+    border_x, border_y = _first_border(ax, dx, i, extent), _first_border(ay, dy, j, extent)
+    wide_x = SQUARE / abs(dx) if dx != 0.0 else _NEVER
+    wide_y = SQUARE / abs(dy) if dy != 0.0 else _NEVER
+    begin = 0.0
+    while begin < 1.0:
+        end = min(border_x, border_y, 1.0)
+        square = min(max(i, 0), last) * (last + 1) + min(max(j, 0), last)
+        roof = terrain.roof[square]
+        if az + begin * dz <= roof or az + end * dz <= roof:
+            if _hidden_by_ground(terrain, begin, end, share, roof, ax, ay, az, dx, dy, dz):
+                return False
             for at in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
                 if _rock_hides(terrain, terrain.rock_list[at], ax, ay, az, bx, by, bz):
                     return False
+        begin = end
+        if border_x <= border_y:
+            i, border_x = i + (1 if dx > 0.0 else -1), border_x + wide_x
+        else:
+            j, border_y = j + (1 if dy > 0.0 else -1), border_y + wide_y
     return True
 
 

@@ -46,7 +46,7 @@ class Table:
         self.count = 0
         self.capacity = max(capacity, count, 1)
         for name, spec in self.columns.items():
-            setattr(self, name, np.full((self.capacity, *spec.shape), spec.fill, spec.dtype))
+            setattr(self, name, np.zeros((self.capacity, *spec.shape), spec.dtype))
         self.append(count)
 
     def append(self, number: int) -> slice:
@@ -96,6 +96,7 @@ class Table:
             self.capacity *= 2
         for name, spec in self.columns.items():
             old = getattr(self, name)
-            new = np.full((self.capacity, *spec.shape), spec.fill, spec.dtype)
+            # Pages of zeros that no row touches yet take no memory; `append` fills the rows.
+            new = np.zeros((self.capacity, *spec.shape), spec.dtype)
             new[: len(old)] = old
             setattr(self, name, new)

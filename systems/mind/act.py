@@ -78,6 +78,29 @@ def liked_depth(
     return low, high
 
 
+@inlined
+def _travel(
+    scene: Scene, kind: int, x: float, y: float, cohort: int, roaming: Float64s
+) -> tuple[float, float, float]:
+    """Return where a cohort travels: about the nearest home point of its kind, or the reef where it has none.
+
+    What `roam` says of the cohort is remembered in `roaming`, (8,), for its next fish.
+    """
+    if roaming[0] != cohort:
+        roaming[0] = cohort
+        roaming[1], roaming[2], roaming[3] = roam(scene.seed, cohort, scene.now, 1.0)
+    terrain = scene.terrain
+    home = nearest_home(terrain, kind, x, y)
+    if home < 0:
+        return terrain.radius * roaming[1], terrain.radius * roaming[2], roaming[3]
+    stray = terrain.home[home, 3]
+    return (
+        terrain.home[home, 0] + stray * roaming[1],
+        terrain.home[home, 1] + stray * roaming[2],
+        roaming[3],
+    )
+
+
 @row
 def _stay_in_range(
     radius: float, x: float, y: float, z: float, low: float, high: float, out: Float64s
@@ -101,18 +124,6 @@ def _shun(danger: Float64s, fear: float, out: Float64s) -> None:
     size = sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2])
     push = _SHUN * fear * size / (sqrt(dx * dx + dy * dy + dz * dz) + 1e-9)
     out[0], out[1], out[2] = out[0] - push * dx, out[1] - push * dy, out[2] - 0.5 * push * dz
-
-
-@row
-def _roam_at_home(
-    terrain: Terrain, kind: int, x: float, y: float, seed: int, cohort: int, now: int
-) -> tuple[float, float, float]:
-    """Return the place [m] to which a school travels, about the nearest home point of its kind where it has one."""
-    home = nearest_home(terrain, kind, x, y)
-    if home < 0:
-        return roam(seed, cohort, now, terrain.radius)
-    a, b, up = roam(seed, cohort, now, terrain.home[home, 3])
-    return terrain.home[home, 0] + a, terrain.home[home, 1] + b, up
 
 
 @row
@@ -246,7 +257,7 @@ def act(
     low, high = liked_depth(terrain, x, y, length, senses.deep[kind], senses.shallow[kind])
     calm = intention in (SCHOOL, WANDER, LEAVE)
     if intention == SCHOOL:
-        to_x, to_y, up = _roam_at_home(terrain, kind, x, y, scene.seed, minds.cohort[i], now)
+        to_x, to_y, up = _travel(scene, kind, x, y, minds.cohort[i], attention.roaming[piece])
         blocked = min(max(3.0 - 2.0 * obstacle, 0.0), 1.0)
         gear, urgency, throttle = school(
             crowd, me, attention.near[piece], attention.distance[piece], found, shoal, number,

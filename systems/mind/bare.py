@@ -40,9 +40,9 @@ def _flock(
     """Write the wanted direction: keep apart, swim as they swim, stay with them."""
     ax, ay, az = crowd.hx[me], crowd.hy[me], crowd.hz[me]
     sx = sy = sz = cx = cy = cz = 0.0
+    elbow = 1.0 / (_ELBOW * spacing)
     for k in range(found):
         other = near[k]
-        d = sqrt(distance[k]) + 1e-9
         dx, dy, dz = (
             crowd.x[other] - crowd.x[me],
             crowd.y[other] - crowd.y[me],
@@ -50,7 +50,7 @@ def _flock(
         )
         cx, cy, cz = cx + dx, cy + dy, cz + dz
         ax, ay, az = ax + crowd.hx[other], ay + crowd.hy[other], az + crowd.hz[other]
-        push = max(1.0 - d / (_ELBOW * spacing), 0.0) / d
+        push = max(1.0 / (sqrt(distance[k]) + 1e-9) - elbow, 0.0)
         sx, sy, sz = sx - push * dx, sy - push * dy, sz - push * dz
     share = 1.0 / (found + 1.0)
     pull = _COHESION * share / spacing
@@ -66,10 +66,12 @@ def flock_some(
 ) -> None:  # fmt: skip
     """Let those of places begin..end whose turn it is school."""
     side = plan.columns
-    column = layer = -1
-    around = 0
+    column = layer = here = -1
+    mine = around = 0
     for me in range(begin, end):
-        mine = crowd.column[me] // side // 3 + 2 * (crowd.column[me] % side // 3) - turn
+        if crowd.column[me] != here:
+            here = crowd.column[me]
+            mine = here // side // 3 + 2 * (here % side // 3) - turn
         kind = crowd.species[me]
         if (every > 1 and mine & 3 != 0) or senses.schooling[kind] == 0:
             continue

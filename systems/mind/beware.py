@@ -9,13 +9,14 @@ Who eats it is seen from afar, the farther the larger; behind rocks and ground n
 from math import sqrt
 from typing import Final
 
-from components.arrays import Float64s, Int64s
+from components.arrays import Float64s, Int32s, Int64s
 from components.kernels import inlined, merged
 from components.senses import SWALLOWED
 from components.sightline import in_sight
 from systems.mind.feel import fear_of
 from systems.mind.perceive import (
     LATERAL_LINE,
+    MOST_AROUND,
     NO_DANGER,
     Attention,
     collision,
@@ -23,7 +24,7 @@ from systems.mind.perceive import (
     insert,
 )
 from systems.mind.scene import Scene
-from systems.mind.sparse import LONGEST_RUN
+from systems.mind.sparse import LONGEST_RUN, Sparse
 
 WAKE: Final = 2.0
 """Lengths of a hunter within which it is felt, as the water moves that it pushes on, out of sight or not."""
@@ -39,6 +40,23 @@ NEGLIGIBLE: Final = 0.1
 def can_swallow(length: float, victim: float) -> bool:
     """Return whether a fish `length` [m] long swallows one of the length `victim`."""
     return victim <= SWALLOWED * length
+
+
+@inlined
+def _within(
+    sparse: Sparse, x: float, y: float, z: float, limit: float, runs: Int32s, runs_found: int,
+    listed: Int32s,
+) -> int:  # fmt: skip
+    """List whose squared distance [m^2] from (x, y, z) is at most `limit`, of some runs; return how many."""
+    many = 0
+    for run in range(runs_found):
+        begin, end = runs[2 * run], runs[2 * run + 1]
+        step = 1 if end - begin < LONGEST_RUN else (end - begin) // LONGEST_RUN + 1
+        for k in range(begin, end, step):
+            dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
+            listed[many] = k
+            many += (dx * dx + dy * dy + dz * dz <= limit) & (many < MOST_AROUND)
+    return many
 
 
 @merged
@@ -59,28 +77,25 @@ def watch_hunters(
     limit = farthest * farthest
     keen = senses.sight[kind] * senses.sight[kind] / length
     found, threat, soonest = 0, -1, NO_DANGER
-    for run in range(runs_found):
-        begin, end = runs[2 * run], runs[2 * run + 1]
-        for k in range(begin, end, (end - begin) // LONGEST_RUN + 1):
-            dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
-            square = dx * dx + dy * dy + dz * dz
-            if square > limit:
-                continue
-            other = sparse.what[k]
-            size = crowd.length[other]
-            if square > keen * size or other == me:
-                continue
-            seen = in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me])
-            felt = LATERAL_LINE * length + WAKE * size
-            if not (seen or square < felt * felt):
-                continue
-            if senses.eats[crowd.species[other], kind] != 0:
-                if can_swallow(size, length):
-                    found = insert(other, square, hunters, distance, found)
-            elif other != target and square < LOOMS * size * LOOMS * size:
-                when = collision(crowd, me, other)
-                if when < soonest:
-                    threat, soonest = other, when
+    many = _within(sparse, x, y, z, limit, runs, runs_found, attention.seen[piece])
+    for at in range(many):
+        k = attention.seen[piece, at]
+        other = sparse.what[k]
+        dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
+        square, size = dx * dx + dy * dy + dz * dz, crowd.length[other]
+        if square > keen * size or other == me:
+            continue
+        seen = in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me])
+        felt = LATERAL_LINE * length + WAKE * size
+        if not (seen or square < felt * felt):
+            continue
+        if senses.eats[crowd.species[other], kind] != 0:
+            if can_swallow(size, length):
+                found = insert(other, square, hunters, distance, found)
+        elif other != target and square < LOOMS * size * LOOMS * size:
+            when = collision(crowd, me, other)
+            if when < soonest:
+                threat, soonest = other, when
     return found, threat, soonest
 
 

@@ -33,6 +33,9 @@ _MOST_COLUMNS: Final = 512
 SUMS: Final = 7
 """Whole numbers to a shoal."""
 
+READY: Final = 0.25
+"""Libido from which a fish answers a mate."""
+
 _MATE: Final = int(Intention.MATE)
 
 
@@ -84,8 +87,8 @@ class Crowd(NamedTuple):
     "the `Courtship`"
     courting: Int64s
     "stable id of the partner that one who mates attends to, -1 for none"
-    libido: Float64s
-    "0 to 1"
+    ready: Int8s
+    "1 where libido suffices to answer a mate"
     row: Int32s
     "row in the fishes' tables"
     place: Int32s
@@ -219,7 +222,7 @@ def _copy_one(k: int, i: int, keys: Int32s, rows: Rows, crowd: Crowd) -> None:
     crowd.length[k], crowd.id[k], crowd.species[k] = rows.length[i], rows.id[i], rows.species[i]
     crowd.intention[k], crowd.phase[k] = rows.intention[i], rows.phase[i]
     crowd.courting[k] = rows.focus[i] if rows.intention[i] == _MATE else -1
-    crowd.libido[k] = rows.libido[i]
+    crowd.ready[k] = rows.libido[i] >= READY
     crowd.row[k], crowd.place[i] = i, k
     crowd.column[k], crowd.layer[k] = keys[i, 0], keys[i, 1]
 
@@ -263,7 +266,7 @@ def make_crowd(capacity: int, columns: int, kinds: int, squares: int) -> Crowd:
         intention=np.zeros(capacity, np.int8),
         phase=np.zeros(capacity, np.int8),
         courting=np.full(capacity, -1, np.int64),
-        libido=reals(),
+        ready=np.zeros(capacity, np.int8),
         row=wholes(),
         place=wholes(),
         column=wholes(),
@@ -278,7 +281,8 @@ class Grid:
 
     def __init__(self, terrain: Terrain, senses: SenseTable) -> None:
         self.terrain, self.senses = terrain, senses
-        self.plan = divide(terrain, senses, np.zeros(len(senses.length), np.int64))
+        self._counts = np.zeros(len(senses.length), np.int64)
+        self.plan = divide(terrain, senses, self._counts)
         self.crowd = make_crowd(0, 0, 0, 0)
         self.order = self._by_layer = self._tally = np.zeros(0, np.int32)
         self._keys = np.zeros((0, 2), np.int32)
@@ -304,7 +308,8 @@ class Grid:
         """Sort the living fishes into cells; with `reorder` put their rows in that order too."""
         fish, number = population.fish, population.count
         counts = np.bincount(fish.species[:number], minlength=len(self.senses.length))
-        self.plan = divide(self.terrain, self.senses, counts)
+        if not np.array_equal(counts, self._counts):
+            self._counts, self.plan = counts, divide(self.terrain, self.senses, counts)
         self._fit(number)
         self._order(population)
         if reorder:

@@ -6,13 +6,13 @@ not see. What was perceived lives in scratch and is forgotten.
 """
 
 from math import sqrt
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 
 from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.ground import Terrain, clearance
-from components.kernels import inlined
+from components.kernels import inlined, row
 from systems.mind.grid import PIECES, REACH, Crowd, Plan
 
 NEIGHBOURS: Final = 8
@@ -34,6 +34,9 @@ _BLIND: Final = 0.75
 
 _ROOM: Final = 0.4
 """Room kept from a fish that crosses, over the sum of both lengths; enlarged as 6.2 asks."""
+
+_SHORT: Final = 24
+_SLOTS: Final = MOST_AROUND - 1
 
 _SUBMARINE_ROOM: Final = 2.5
 """[m] kept from the submarine's middle."""
@@ -78,6 +81,8 @@ class Attention(NamedTuple):
     "offset [m] from the submarine, (PIECES, 8)"
     danger: Float64s
     "the most dangerous predator as `heed` tells of it, (PIECES, 8)"
+    roaming: Float64s
+    "cohort, place x and y [m] and height of where the last school seen travels, (PIECES, 8)"
     shelter: Float64s
     "offset [m] to a hiding-place, (PIECES, 8)"
     out: Float64s
@@ -115,9 +120,16 @@ def make_attention() -> Attention:
         normal=reals(8),
         away=reals(8),
         danger=reals(8),
+        roaming=reals(8),
         shelter=reals(8),
         out=reals(8),
     )
+
+
+@inlined
+def looks_round(now: int, identity: int) -> bool:
+    """Return whether who is calm looks far round in this thought: in every second one."""
+    return bool((now // 4 + identity) & 1 == 0)
 
 
 @inlined
@@ -130,6 +142,12 @@ def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) ->
 @inlined
 def first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
     """Return the first place in begin..end whose layer is at least `value`."""
+    if end - begin <= _SHORT:
+        # Counting a few mispredicts nothing.
+        first = begin
+        for k in range(begin, end):
+            first += layer[k] < value
+        return first
     while begin < end:
         middle = (begin + end) // 2
         if layer[middle] < value:
@@ -148,12 +166,29 @@ def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -
         for y in range(max(cy - 1, 0), min(cy + 2, plan.columns)):
             begin = crowd.first[x * plan.columns + y]
             end = crowd.first[x * plan.columns + y + 1]
+            if begin == end:
+                continue
             begin = first_not_above(crowd.layer, begin, end, layer - 1)
             end = first_not_above(crowd.layer, begin, end, layer + 2)
             if end > begin:
                 runs[2 * found], runs[2 * found + 1] = begin, end
                 found += 1
     return found
+
+
+@row
+def _sample(crowd: Crowd, number_of_runs: int, step: int, attention: Attention, piece: int) -> int:
+    """Put every `step`th of the fishes around a cell side by side; return how many."""
+    runs, around = attention.runs[piece], attention.around[piece]
+    x, y, z = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
+    number = 0
+    for run in range(number_of_runs):
+        for k in range(runs[2 * run], runs[2 * run + 1], step):
+            if number < MOST_AROUND:
+                x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
+                around[number] = k
+                number += 1
+    return number
 
 
 @inlined
@@ -164,38 +199,54 @@ def gather(crowd: Crowd, number_of_runs: int, attention: Attention, piece: int) 
     total = 0
     for run in range(number_of_runs):
         total += runs[2 * run + 1] - runs[2 * run]
-    step = total // MOST_AROUND + 1
+    if total > MOST_AROUND:
+        return _sample(crowd, number_of_runs, total // MOST_AROUND + 1, attention, piece)
     number = 0
     for run in range(number_of_runs):
-        for k in range(runs[2 * run], runs[2 * run + 1], step):
-            if number == MOST_AROUND:
-                break
+        for k in range(runs[2 * run], runs[2 * run + 1]):
             x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
             around[number] = k
             number += 1
     return number
 
 
-@inlined
-def forget(distance: Float64s) -> None:
-    """Let nobody be near, (NEIGHBOURS,), before `keep`."""
-    for k in range(NEIGHBOURS):
-        distance[k] = NO_DANGER
+Nearest: TypeAlias = tuple[float, float, float, float, float, float, float, float]
+"""The nearest of a kind, nearest first: squared distances [m^2] whose last bits say who."""
+
+NOBODY: Final = (NO_DANGER,) * NEIGHBOURS
 
 
 @inlined
-def keep(other: int, square: float, near: Int64s, distance: Float64s) -> None:
-    """Keep `other` if it is among the nearest, without a branch: of a dozen each may be (FINDINGS 5).
+def name(square: float, slot: int) -> float:
+    """Return a squared distance [m^2] with the slot in its last eleven bits, a part in 10^12."""
+    bits = np.float64(square).view(np.int64)
+    return float(np.int64((bits & ~_SLOTS) | slot).view(np.float64))
 
-    The first come of equals stays before.
-    """
-    for k in range(NEIGHBOURS):
-        before, there = distance[k], near[k]
-        nearer = square < before
-        distance[k] = square if nearer else before
-        near[k] = other if nearer else there
-        square = before if nearer else square
-        other = there if nearer else other
+
+@inlined
+def keep(nearest: Nearest, key: float) -> Nearest:
+    """Let a `name` sink to its place among the nearest, without a branch: of a dozen each may be (FINDINGS 5)."""
+    a, b, c, d, e, f, g, h = nearest
+    a, key = min(a, key), max(a, key)
+    b, key = min(b, key), max(b, key)
+    c, key = min(c, key), max(c, key)
+    d, key = min(d, key), max(d, key)
+    e, key = min(e, key), max(e, key)
+    f, key = min(f, key), max(f, key)
+    g, key = min(g, key), max(g, key)
+    return a, b, c, d, e, f, g, min(h, key)
+
+
+@inlined
+def list_nearest(nearest: Nearest, found: int, attention: Attention, piece: int) -> int:
+    """List the nearest, at most `found`, by place and squared distance; return how many."""
+    near, distance = attention.near[piece], attention.distance[piece]
+    around, square = attention.around[piece], attention.square[piece]
+    found = min(found, NEIGHBOURS)
+    for k in range(found):
+        slot = np.float64(nearest[k]).view(np.int64) & _SLOTS
+        near[k], distance[k] = around[slot], square[slot]
+    return found
 
 
 @inlined
@@ -265,16 +316,15 @@ def collision(crowd: Crowd, me: int, other: int) -> float:
 @inlined
 def nearest_of_kind(crowd: Crowd, me: int, many: int, attention: Attention, piece: int) -> int:
     """List the nearest of one's species among the `many` seen, nearest first; return how many."""
-    near, distance = attention.near[piece], attention.distance[piece]
     around, square, seen = attention.around[piece], attention.square[piece], attention.seen[piece]
-    found, kind = 0, crowd.species[me]
-    forget(distance)
+    found, kind, nearest = 0, crowd.species[me], NOBODY
     for at in range(many):
-        k = int(around[seen[at]])
+        slot = seen[at]
+        k = int(around[slot])
         if k != me and crowd.species[k] == kind:
-            keep(k, square[seen[at]], near, distance)
+            nearest = keep(nearest, name(square[slot], slot))
             found += 1
-    return min(found, NEIGHBOURS)
+    return list_nearest(nearest, found, attention, piece)
 
 
 @inlined
@@ -294,17 +344,16 @@ def watch(
     the place of the first to collide, -1 for none, and the time to it [s]. A schooler keeps clear of
     its own kind by separation alone, nobody of its `target`'s place, and fears who `eats`, (S, S), its kind instead.
     """
-    near, distance = attention.near[piece], attention.distance[piece]
     around, square, seen = attention.around[piece], attention.square[piece], attention.seen[piece]
-    found, threat, soonest = 0, -1, NO_DANGER
+    found, threat, soonest, nearest = 0, -1, NO_DANGER, NOBODY
     kind = crowd.species[me]
-    forget(distance)
     for at in range(many):
-        k = int(around[seen[at]])
+        slot = seen[at]
+        k = int(around[slot])
         if k == me:
             continue
         if crowd.species[k] == kind:
-            keep(k, square[seen[at]], near, distance)
+            nearest = keep(nearest, name(square[slot], slot))
             found += 1
             if schooling:
                 continue
@@ -313,7 +362,7 @@ def watch(
         when = collision(crowd, me, k)
         if when < soonest:
             threat, soonest = k, when
-    return min(found, NEIGHBOURS), threat, soonest
+    return list_nearest(nearest, found, attention, piece), threat, soonest
 
 
 @inlined

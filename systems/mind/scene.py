@@ -1,12 +1,14 @@
 """What minds live in during a tick, and the columns that they read and write."""
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from components.arrays import Float32s, Float64s, Int8s, Int32s, Int64s
-from components.fish import Population
+from components.fish import FishTable, Population
 from components.ground import Terrain
 from components.habitat import Habitat
 from components.index import Places
+from components.mind import MindTable
+from components.motor import MotorTable
 from components.senses import SenseTable
 from systems.mind.grid import Crowd, Plan
 from systems.mind.sparse import Sparse
@@ -28,6 +30,8 @@ class Scene(NamedTuple):
     "the fishes of species that eat others"
     food: Sparse
     "the food in the water"
+    willing: Sparse
+    "the fishes that court or would answer a mate, of species that do not school"
     places: Places
     "the rows of ids"
     submarine: Float64s
@@ -75,12 +79,13 @@ class Minds(NamedTuple):
     throttle: Float64s
 
 
+_TABLES: Final = {"mind": MindTable, "motor": MotorTable, "fish": FishTable}
+_COLUMNS: Final = tuple(
+    next((table, name) for table, kind in _TABLES.items() if name in kind.columns)
+    for name in Minds._fields
+)
+
+
 def minds_of(population: Population) -> Minds:
     """Return those columns; stale when the tables grow."""
-    tables = (population.mind, population.motor, population.fish)
-    return Minds(
-        *(
-            next(getattr(table, name) for table in tables if hasattr(table, name))
-            for name in Minds._fields
-        )
-    )
+    return Minds(*(getattr(getattr(population, table), name) for table, name in _COLUMNS))

@@ -31,11 +31,11 @@ TURN: Final = 0.2
 LOYALTY: Final = 0.7
 """The cost of what one is after already, over its own."""
 
-READY: Final = 0.25
-"""Libido from which a fish answers a mate."""
-
 _MOST_TESTED: Final = 1024
 _WIDEST: Final = 64
+_FIRST_LOOK: Final = 4
+_FARTHEST_PREY: Final = 0.584
+"""Root of `SWALLOWED`, and a little: nothing that is farther, over sight, is both small enough and seen."""
 _PI: Final = 3.141592653589793
 _COMPANY: Final = 4.0
 _BESIDE: Final = 4
@@ -81,16 +81,16 @@ def _is_prey(scene: Scene, me: int, other: int, taken: Int64s) -> bool:
 
 
 @row
-def suits(crowd: Crowd, seed: int, me: int, other: int, male: bool) -> bool:
+def suits(crowd: Crowd, seed: int, me: int, other: int) -> bool:
     """Return whether `other` may be the mate of `me`: of its kind, the other sex, ready and free, or its suitor."""
     if crowd.species[other] != crowd.species[me] or other == me:
         return False
     courting = crowd.courting[other]
     if courting >= 0 and courting != crowd.id[me]:
         return False
-    if courting < 0 and crowd.libido[other] < READY:
+    if courting < 0 and crowd.ready[other] == 0:
         return False
-    return is_male(seed, crowd.id[other]) != male
+    return is_male(seed, crowd.id[other]) != is_male(seed, crowd.id[me])
 
 
 @row
@@ -103,10 +103,8 @@ def visible(terrain: Terrain, crowd: Crowd, me: int, other: int) -> bool:
 
 
 @merged
-def _search(
-    scene: Scene, me: int, taken: Int64s, mates: bool, attention: Attention, piece: int
-) -> int:
-    """List the nearest prey, or mates, in view; return how many.
+def _search(scene: Scene, me: int, taken: Int64s, attention: Attention, piece: int) -> int:
+    """List the nearest prey in view; return how many.
 
     Prey in company counts as farther by 1 + b1, so that a straggler is not hidden behind its school.
     """
@@ -116,8 +114,7 @@ def _search(
     sight = senses.sight[crowd.species[me]]
     keen, visibility = sight * sight / length, scene.habitat.visibility
     cx, cy = crowd.column[me] // plan.columns, crowd.column[me] % plan.columns
-    male = is_male(scene.seed, crowd.id[me])
-    found, tested, wide = 0, 0, 1
+    found, tested, wide = 0, 0, _FIRST_LOOK
     last = crowd.first[plan.columns * plan.columns]
     while True:
         found = tested = 0
@@ -141,18 +138,13 @@ def _search(
                         continue
                     if found == NEIGHBOURS and square >= distance[NEIGHBOURS - 1]:
                         continue
-                    if not (
-                        suits(crowd, scene.seed, me, k, male)
-                        if mates
-                        else _is_prey(scene, me, k, taken)
-                    ):
+                    if not _is_prey(scene, me, k, taken):
                         continue
                     if in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me]):
-                        counted = square if mates else _counted(crowd, last, k, square)
+                        counted = _counted(crowd, last, k, square)
                         found = insert(k, counted, sought, distance, found)
-        enough = 1 if mates else NEIGHBOURS
-        most = min(2.5 * sight, visibility)
-        if found >= enough or tested > _MOST_TESTED or reach >= most or wide >= _WIDEST:
+        most = min(_FARTHEST_PREY * sight, visibility)
+        if found >= NEIGHBOURS or tested > _MOST_TESTED or reach >= most or wide >= _WIDEST:
             return found
         wide *= 2
 
@@ -171,24 +163,22 @@ def _turning(crowd: Crowd, me: int, other: int, far: float) -> float:
 
 
 @row
-def seek(
-    scene: Scene, me: int, kept: int, taken: Int64s, mates: bool, attention: Attention, piece: int
+def seek_prey(
+    scene: Scene, me: int, kept: int, taken: Int64s, attention: Attention, piece: int
 ) -> tuple[int, float]:
-    """Return the place of the prey that costs least, or of the nearest mate, -1 for none, and its distance [m].
+    """Return the place of the prey that costs least, -1 for none, and its distance [m].
 
     `kept` is the place of the prey it is after, -1 for none: it stays with it unless another costs much less.
     """
     crowd, last = scene.crowd, scene.crowd.first[scene.plan.columns * scene.plan.columns]
-    found = _search(scene, me, taken, mates, attention, piece)
+    found = _search(scene, me, taken, attention, piece)
     best, least, near = -1, 1e18, 1e18
     for k in range(found):
         other = attention.sought[piece, k]
-        far = sqrt(attention.sought_distance[piece, k])
-        cost = far
-        if not mates:
-            if in_company(crowd, last, other):
-                far /= 1.0 + SCHOOLED
-            cost *= _turning(crowd, me, other, far)
+        far = cost = sqrt(attention.sought_distance[piece, k])
+        if in_company(crowd, last, other):
+            far /= 1.0 + SCHOOLED
+        cost *= _turning(crowd, me, other, far)
         if other == kept:
             cost *= LOYALTY
         if cost < least and visible(scene.terrain, crowd, me, other):
@@ -197,17 +187,42 @@ def seek(
 
 
 @row
+def seek_mate(scene: Scene, me: int, attention: Attention, piece: int) -> tuple[int, float]:
+    """Return the place of the nearest mate in sight, -1 for none, and its distance [m]."""
+    crowd, sparse = scene.crowd, scene.willing
+    runs, x, y, z = attention.hunter_runs[piece], crowd.x[me], crowd.y[me], crowd.z[me]
+    sight = scene.senses.sight[crowd.species[me]]
+    keen, reach = sight * sight / crowd.length[me], min(scene.habitat.visibility, sparse.cell)
+    best, least = -1, reach * reach
+    for run in range(find_sparse_runs(sparse, x, y, z, reach, runs)):
+        begin, end = runs[2 * run], runs[2 * run + 1]
+        for k in range(begin, end, (end - begin) // LONGEST_RUN + 1):
+            dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
+            square, other = dx * dx + dy * dy + dz * dz, sparse.what[k]
+            if (
+                square < least
+                and square <= keen * crowd.length[other]
+                and in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me])
+                and suits(crowd, scene.seed, me, other)
+                and visible(scene.terrain, crowd, me, other)
+            ):
+                best, least = other, square
+    return best, sqrt(least)
+
+
+@row
 def smell_food(
     sparse: Sparse, x: float, y: float, z: float, reach: float, runs: Int32s
 ) -> tuple[int, float]:
     """Return the row of the nearest food within `reach` [m] of (x, y, z), -1 for none, and its distance [m]."""
-    best, row = reach * reach, -1
-    found = find_sparse_runs(sparse, x, y, z, runs)
-    for run in range(found):
+    best, at = reach * reach, -1
+    for run in range(find_sparse_runs(sparse, x, y, z, reach, runs)):
         begin, end = runs[2 * run], runs[2 * run + 1]
-        for k in range(begin, end, (end - begin) // LONGEST_RUN + 1):
+        step = 1 if end - begin < LONGEST_RUN else (end - begin) // LONGEST_RUN + 1
+        for k in range(begin, end, step):
             dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
             square = dx * dx + dy * dy + dz * dz
-            if square < best:
-                best, row = square, sparse.what[k]
-    return row, sqrt(best)
+            nearer = square < best
+            best = square if nearer else best
+            at = k if nearer else at
+    return (sparse.what[at] if at >= 0 else -1), sqrt(best)

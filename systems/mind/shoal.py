@@ -23,11 +23,11 @@ def _gather_strip(strip: int, plan: Plan, schooling: Int8s, crowd: Crowd) -> Non
     crowd.shoal[:, strip * plan.squares : (strip + 1) * plan.squares] = 0
     begin = crowd.first[strip * plan.block * plan.columns]
     end = crowd.first[min((strip + 1) * plan.block, plan.columns) * plan.columns]
-    kind = square = -1
+    kind = square = column = here = -1
     number = x = y = z = u = v = w = 0
     for k in range(begin, end + 1):
-        here = -1
-        if k < end:
+        if k < end and crowd.column[k] != column:
+            column = crowd.column[k]
             here = strip * plan.squares + crowd.column[k] % plan.columns // plan.block
         if k == end or here != square or crowd.species[k] != kind:
             if number > 0 and schooling[kind] != 0:

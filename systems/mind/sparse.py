@@ -81,33 +81,36 @@ def _index(sparse: Sparse, x: float, y: float, z: float) -> tuple[int, int, int]
 def sort_sparse(
     sparse: Sparse, x: Float64s, y: Float64s, z: Float64s, what: Int32s, keys: Int32s
 ) -> None:
-    """Put `number` points, in a lasting order, into cells; `keys` is scratch, (capacity,)."""
+    """Put the `number` points that `what` names, in its order, into cells; `keys` is scratch, (capacity,)."""
     number, first = sparse.number, sparse.first
     first[: sparse.side * sparse.side * sparse.layers + 2] = 0
     for k in range(number):
-        i, j, h = _index(sparse, x[k], y[k], z[k])
+        i, j, h = _index(sparse, x[what[k]], y[what[k]], z[what[k]])
         keys[k] = (i * sparse.side + j) * sparse.layers + h
         first[keys[k] + 2] += 1
     for cell in range(sparse.side * sparse.side * sparse.layers):
         first[cell + 2] += first[cell + 1]
     for k in range(number):
-        at = first[keys[k] + 1]
+        at, named = first[keys[k] + 1], what[k]
         first[keys[k] + 1] += 1
-        sparse.x[at], sparse.y[at], sparse.z[at], sparse.what[at] = x[k], y[k], z[k], what[k]
+        sparse.x[at], sparse.y[at], sparse.z[at] = x[named], y[named], z[named]
+        sparse.what[at] = named
 
 
 @inlined
-def find_sparse_runs(sparse: Sparse, x: float, y: float, z: float, runs: Int32s) -> int:
-    """Write begin and end of each run of the 27 cells around a point; return how many."""
+def find_sparse_runs(
+    sparse: Sparse, x: float, y: float, z: float, reach: float, runs: Int32s
+) -> int:
+    """Write begin and end of each run of the cells within `reach` [m], at most a cell, of a point; return how many."""
     if sparse.number == 0:
         return 0
-    i, j, h = _index(sparse, x, y, z)
-    low, high = max(h - 1, 0), min(h + 2, sparse.layers)
+    i, j, low = _index(sparse, x - reach, y - reach, z + reach)
+    last_i, last_j, high = _index(sparse, x + reach, y + reach, z - reach)
     found = 0
-    for a in range(max(i - 1, 0), min(i + 2, sparse.side)):
-        for b in range(max(j - 1, 0), min(j + 2, sparse.side)):
+    for a in range(i, last_i + 1):
+        for b in range(j, last_j + 1):
             at = (a * sparse.side + b) * sparse.layers
-            begin, end = sparse.first[at + low], sparse.first[at + high]
+            begin, end = sparse.first[at + low], sparse.first[at + high + 1]
             if end > begin:
                 runs[2 * found], runs[2 * found + 1] = begin, end
                 found += 1
@@ -121,10 +124,15 @@ class SparseGrid:
         self.terrain = terrain
         self.sparse = no_sparse()
         self._keys = np.zeros(0, np.int32)
+        self._divided: tuple[int, float] = (-1, 0.0)
+        self._division = (1.0, 1, 1)
 
     def sort(self, points: Sequence[Float64s], what: Int32s, number: int, least: float) -> Sparse:
-        """Sort `number` points x, y, z [m], named by `what`; cells are at least `least` [m] wide."""
-        cell, side, layers = divide_coarsely(self.terrain, number, least)
+        """Sort the `number` points that `what` names of x, y, z [m]; cells are at least `least` [m] wide."""
+        if self._divided != (number, least):
+            self._divided = number, least
+            self._division = divide_coarsely(self.terrain, number, least)
+        cell, side, layers = self._division
         old = self.sparse
         cells, room = side * side * layers + 2, len(old.what)
         if number > room:

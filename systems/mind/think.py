@@ -11,7 +11,7 @@ from typing import Final
 import numba
 import numpy as np
 
-from components.arrays import Float64s, Int8s, Int32s
+from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.chance import WHIM, uniform
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
@@ -45,6 +45,7 @@ from systems.mind.perceive import (
     Attention,
     find_runs,
     gather,
+    looks_round,
     make_attention,
 )
 from systems.mind.scene import Minds, Scene, minds_of
@@ -141,7 +142,8 @@ def think_one(
         d.obstacle, min(d.when, d.meets), threat, timid, d.fear, d.danger, company,
         minds.hunger[i], minds.libido[i], meal != -1, mate >= 0, role == _PREDATOR,
         minds.focus[i] >= 0, much, curious,
-        uniform(scene.seed, WHIM, scene.now, crowd.id[me]) < 0.5,
+        minds.hunger[i] == minds.libido[i]
+        and uniform(scene.seed, WHIM, scene.now, crowd.id[me]) < 0.5,
     )  # fmt: skip
     held = Held(previous, minds.why[i], minds.since[i], minds.memory[i])
     intention, why, value, memory = intend(scene.now, held, percept)
@@ -163,10 +165,14 @@ def think_some(
 ) -> None:
     """Let those think whose turn it is, among places begin..end of the crowd."""
     crowd, side = scene.crowd, scene.plan.columns
-    column = layer = -1
-    around = hunter_runs = 0
+    column = layer = here = -1
+    turn = around = hunter_runs = 0
+    attention.roaming[piece, 0] = -1.0
+    far = min(scene.habitat.visibility, scene.hunters.cell)
     for me in range(begin, end):
-        turn = crowd.column[me] // side // 3 + 2 * (crowd.column[me] % side // 3) - scene.now
+        if crowd.column[me] != here:
+            here = crowd.column[me]
+            turn = here // side // 3 + 2 * (here % side // 3) - scene.now
         waited = scene.now - minds.thought_at[crowd.row[me]]
         if turn & 3 != 0 and waited < LATEST_TICKS:
             continue
@@ -174,9 +180,12 @@ def think_some(
             column, layer = crowd.column[me], crowd.layer[me]
             runs = find_runs(scene.plan, crowd, column, layer, attention.runs[piece])
             around = gather(crowd, runs, attention, piece)
-        hunter_runs = find_sparse_runs(
-            scene.hunters, crowd.x[me], crowd.y[me], crowd.z[me], attention.hunter_runs[piece]
-        )
+        hunter_runs = 0
+        if minds.fear[crowd.row[me]] > 0.0 or looks_round(scene.now, crowd.id[me]):
+            hunter_runs = find_sparse_runs(
+                scene.hunters, crowd.x[me], crowd.y[me], crowd.z[me], far,
+                attention.hunter_runs[piece],
+            )  # fmt: skip
         think_one(scene, me, minds, attention, piece, around, hunter_runs)
 
 
@@ -192,6 +201,7 @@ def think_all(
     habitat: Habitat,
     hunters: Sparse,
     food: Sparse,
+    willing: Sparse,
     places: Places,
     submarine: Float64s,
     submarine_velocity: Float64s,
@@ -211,22 +221,43 @@ def think_all(
         piece = (turn * 27) % PIECES
         begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
         scene = Scene(
-            now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, places, submarine,
+            now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places, submarine,
             submarine_velocity, submarines, food_position, food_last, there,
         )  # fmt: skip
         think_some(scene, begin, end, minds, attention, piece)
 
 
 @row
-def _list_hunters(
-    number: int, crowd: Crowd, hunts: Int8s, x: Float64s, y: Float64s, z: Float64s, what: Int32s
-) -> int:
-    """List the fishes that eat others, in the order of the crowd; return how many. (capacity,) each."""
+def _list_hunters(number: int, crowd: Crowd, hunts: Int8s, what: Int32s) -> int:
+    """List the fishes that eat others, in the order of the crowd; return how many. (capacity,)."""
     many = 0
     for k in range(number):
-        if hunts[crowd.species[k]] != 0:
-            x[many], y[many], z[many], what[many] = crowd.x[k], crowd.y[k], crowd.z[k], k
-            many += 1
+        what[many] = k
+        many += hunts[crowd.species[k]] != 0
+    return many
+
+
+@row
+def _list_willing(number: int, crowd: Crowd, schooling: Int8s, what: Int32s) -> int:
+    """List those that court or would, of species that do not school, in the order of the crowd; return how many."""
+    many = 0
+    for k in range(number):
+        what[many] = k
+        many += (crowd.ready[k] != 0 or crowd.courting[k] >= 0) and schooling[crowd.species[k]] == 0
+    return many
+
+
+@row
+def _list_edible(
+    number: int, now: int, returns: Int64s, eaten_by: Int64s, there: Int8s, what: Int32s
+) -> int:
+    """List the rows of the food in the water and mark it `there`; return how many. (capacity,) each."""
+    many = 0
+    for k in range(number):
+        edible = returns[k] <= now and eaten_by[k] < 0
+        there[k] = edible
+        what[many] = k
+        many += edible
     return many
 
 
@@ -251,8 +282,9 @@ class Think:
         self.food, self.habitat = FoodTable() if food is None else food, habitat
         self.grid = Grid(terrain, senses)
         self._hunters, self._meals = SparseGrid(terrain), SparseGrid(terrain)
+        self._willing = SparseGrid(terrain)
         self._attention = make_attention()
-        self._few = (np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0, np.int32))
+        self._few, self._there = np.zeros(1, np.int32), np.zeros(1, np.int8)
 
     def __call__(self) -> None:
         """Advance the minds by one tick."""
@@ -271,30 +303,41 @@ class Think:
 
     def _scene(self, number: int) -> Scene:
         """Return the world as minds find it this tick."""
-        food, now, edible = self.food, self.clock.now, self._edible()
+        food, now = self.food, self.clock.now
+        self._fit(number)
+        hunting, edible, willing = self._hunting(number), self._edible(), self._courting(number)
         return Scene(
             now, int(self.clock.seed[0]), daylight(self.habitat, now), self.grid.plan,
-            self.grid.crowd, self.senses, self.terrain, self.habitat, self._hunting(number),
-            edible, self.population.index.places, self.submarine.position,
+            self.grid.crowd, self.senses, self.terrain, self.habitat, hunting, edible, willing,
+            self.population.index.places, self.submarine.position,
             self.submarine.velocity, self.submarine.count, food.position, food.last_position,
             self._there,
         )  # fmt: skip
 
+    def _fit(self, number: int) -> None:
+        """Make room in the scratch lists for `number` fishes and the food."""
+        if max(number, self.food.count) >= len(self._few):
+            self._few = np.zeros(2 * max(number, self.food.count), np.int32)
+        if self.food.count >= len(self._there):
+            self._there = np.zeros(2 * self.food.count, np.int8)
+
     def _hunting(self, number: int) -> Sparse:
         """Return the grid of the fishes that eat others."""
-        if number > len(self._few[0]):
-            room = 2 * number
-            self._few = (np.zeros(room), np.zeros(room), np.zeros(room), np.zeros(room, np.int32))
-        x, y, z, what = self._few
-        many = _list_hunters(number, self.grid.crowd, self.senses.hunts, x, y, z, what)
-        return self._hunters.sort((x, y, z), what, many, 3.0 * self.grid.plan.cell)
+        many = _list_hunters(number, self.grid.crowd, self.senses.hunts, self._few)
+        return self._sort_fishes(self._hunters, many)
+
+    def _courting(self, number: int) -> Sparse:
+        """Return the grid of the fishes that may be mates of who seeks one."""
+        many = _list_willing(number, self.grid.crowd, self.senses.schooling, self._few)
+        return self._sort_fishes(self._willing, many)
+
+    def _sort_fishes(self, grid: SparseGrid, many: int) -> Sparse:
+        crowd = self.grid.crowd
+        return grid.sort((crowd.x, crowd.y, crowd.z), self._few, many, 3.0 * self.grid.plan.cell)
 
     def _edible(self) -> Sparse:
         """Return the grid of the food in the water."""
-        food, count = self.food, self.food.count
-        there = (food.returns[:count] <= self.clock.now) & (food.eaten_by[:count] < 0)
-        self._there = there.astype(np.int8)
-        what = np.flatnonzero(there).astype(np.int32)
-        place = np.ascontiguousarray(food.position[what].T)
-        least = 3.0 * self.grid.plan.cell
-        return self._meals.sort((place[0], place[1], place[2]), what, len(what), least)
+        food, now = self.food, self.clock.now
+        many = _list_edible(food.count, now, food.returns, food.eaten_by, self._there, self._few)
+        x, y, z = np.ascontiguousarray(food.position[: food.count].T)
+        return self._meals.sort((x, y, z), self._few, many, 3.0 * self.grid.plan.cell)

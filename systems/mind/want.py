@@ -25,9 +25,9 @@ from systems.mind.feel import (
     unease,
 )
 from systems.mind.intend import EAT, MATE, RELENT, WANTING
-from systems.mind.perceive import NO_DANGER, Attention
+from systems.mind.perceive import NO_DANGER, Attention, looks_round
 from systems.mind.scene import Minds, Scene
-from systems.mind.seek import LOYALTY, SMELL, is_male, seek, smell_food, suits
+from systems.mind.seek import LOYALTY, SMELL, seek_mate, seek_prey, smell_food, suits
 
 SEARCH_EVERY: Final = 8
 """[thoughts] on average between looks round for a mate where none is near."""
@@ -50,11 +50,14 @@ def _seek_food(
     if not eager:
         return -1, NO_DANGER
     if senses.hunts[kind] != 0:
-        prey, far = seek(scene, me, target, minds.swallowed_by, False, attention, piece)
+        prey, far = seek_prey(scene, me, target, minds.swallowed_by, attention, piece)
         if prey >= 0:
             return crowd.id[prey], far
     if senses.grazes[kind] != 0 and scene.food.number > 0:
         reach = min(SMELL * senses.sight[kind], scene.food.cell)
+        if plain <= WANTING * RELENT:
+            # What does not tempt would not be eaten.
+            reach = min(reach, crowd.length[me] / FOOD_FAR)
         food, far = smell_food(scene.food, x, y, z, reach, attention.hunter_runs[piece])
         kept = FOOD - minds.focus[i]
         if food >= 0 and 0 <= kept < len(scene.there) and scene.there[kept] and kept != food:
@@ -73,8 +76,7 @@ def _seek_mate(
 ) -> tuple[int, float]:
     """Return the place of the partner, -1 for none, and its distance [m]: the old one first, then who is near."""
     crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    male = is_male(scene.seed, crowd.id[me])
-    if minds.intention[i] == MATE and target >= 0 and suits(crowd, scene.seed, me, target, male):
+    if minds.intention[i] == MATE and target >= 0 and suits(crowd, scene.seed, me, target):
         far = speed_of(
             crowd.x[target] - crowd.x[me],
             crowd.y[target] - crowd.y[me],
@@ -84,13 +86,13 @@ def _seek_mate(
             return target, far
     for k in range(found):
         other = attention.near[piece, k]
-        if suits(crowd, scene.seed, me, other, male):
+        if suits(crowd, scene.seed, me, other):
             return other, sqrt(attention.distance[piece, k])
     if senses.schooling[crowd.species[me]] != 0:
         return -1, NO_DANGER
     if (scene.now // 4 + crowd.id[me]) % SEARCH_EVERY != 0:
         return -1, NO_DANGER
-    return seek(scene, me, -1, minds.swallowed_by, True, attention, piece)
+    return seek_mate(scene, me, attention, piece)
 
 
 @row
@@ -142,20 +144,27 @@ def want(
 ) -> tuple[int, int]:  # fmt: skip
     """Feel hunger and libido; return the focus of a meal and the place of a mate, -1 for none.
 
-    Who is in danger looks for neither.
+    Who is in danger looks for neither, who neither eats nor remembers to for a meal in every second thought.
     """
     crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
     kind, length = crowd.species[me], crowd.length[me]
     stomach = in_stomach(minds.eaten[i], minds.ate_at[i], scene.now, senses.digestion[kind])
     plain = appetite(stomach, senses.appetite[kind])
     meal, meal_far, mate, mate_far, wish = -1, NO_DANGER, -1, NO_DANGER, 0.0
-    if not urgent:
+    looks = (
+        urgent
+        or minds.intention[i] == EAT
+        or minds.memory[i] == EAT
+        or looks_round(scene.now, crowd.id[me])
+    )
+    if looks and not urgent:
         meal, meal_far = _seek_food(scene, me, minds, plain, target, attention, piece)
     if senses.role[kind] != _PREDATOR:
         waited = float(scene.now - minds.mated_at[i])
         wish = desire(waited, senses.breeding[kind], hunger_of(plain, 0.0))
     if not urgent and libido_of(wish, 1.0) > WANTING * RELENT:
         mate, mate_far = _seek_mate(scene, me, minds, target, found, attention, piece)
-    minds.hunger[i] = hunger_of(plain, stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR))
+    hunger = hunger_of(plain, stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR))
+    minds.hunger[i] = hunger if looks else max(minds.hunger[i], hunger)
     minds.libido[i] = libido_of(wish, stimulus(length / (mate_far + 1e-9), MATE_FAR, MATE_NEAR))
     return meal, mate

@@ -35,6 +35,8 @@ class Mind:
     memory: int
     focus: int
     libido: float
+    hunger: float
+    fear: float
     value: float = 0.0
 
 
@@ -99,6 +101,7 @@ class Reference:
                 self.minds[body.id] = Mind(
                     int(mind.intention[i]), int(mind.why[i]), int(mind.since[i]),
                     int(mind.memory[i]), int(mind.focus[i]), float(mind.libido[i]),
+                    float(mind.hunger[i]), float(mind.fear[i]),
                 )  # fmt: skip
         living = {body.id for body in self.bodies}
         self.minds = {k: m for k, m in self.minds.items() if k in living}
@@ -281,9 +284,9 @@ class Reference:
                 return True
         return False
 
-    def _search(self, me: Body, mates: bool) -> list[tuple[float, Body]]:
+    def _search(self, me: Body) -> list[tuple[float, Body]]:
         sight, visibility = self.sense.sight[me.species], self.world.habitat.visibility
-        wide = 1
+        wide = 4
         while True:
             reach = min(self.plan.cell * wide, visibility)
             found = []
@@ -294,19 +297,16 @@ class Reference:
                     continue
                 if other.id == me.id or not self._in_cone(me, d):
                     continue
-                if mates:
-                    if self._suits(me, other):
-                        found.append((square, other))
-                elif self._swallows(me, other) and other.swallowed_by in (-1, me.id):
+                if self._swallows(me, other) and other.swallowed_by in (-1, me.id):
                     found.append((square * 2.25 if self._in_company(other) else square, other))
             found = sorted(found, key=lambda pair: pair[0])[:8]
-            if len(found) >= (1 if mates else 8) or reach >= min(2.5 * sight, visibility):
+            if len(found) >= 8 or reach >= min(0.584 * sight, visibility):
                 return found
             wide *= 2
 
     def _prey(self, me: Body, target: int) -> tuple[int, float]:
         best, least, near = -1, 1e18, 1e18
-        for square, other in self._search(me, False):
+        for square, other in self._search(me):
             cost = far = sqrt(square)
             if self._in_company(other):
                 far /= 1.5
@@ -355,10 +355,19 @@ class Reference:
                 return other.id, sqrt(square)
         if self.sense.schooling[me.species] or (self.now // 4 + me.id) % 8 != 0:
             return -1, NOBODY
-        for square, other in self._search(me, True):
-            if self._clear(me, other):
-                return other.id, sqrt(square)
-        return -1, 1e18
+        return self._seek_mate(me)
+
+    def _seek_mate(self, me: Body) -> tuple[int, float]:
+        far = min(self.world.habitat.visibility, self.think._willing.sparse.cell)
+        sight, best, least = self.sense.sight[me.species], -1, far * far
+        for other in self.bodies:
+            d = offset(me.at, other.at)
+            square = dot(d, d)
+            if square >= least or square > sight * sight / me.length * other.length:
+                continue
+            if self._suits(me, other) and self._in_cone(me, d) and self._clear(me, other):
+                best, least = other.id, square
+        return best, sqrt(least)
 
     def _unease(self, me: Body) -> float:
         world, sense, kind = self.world, self.sense, me.species
@@ -402,7 +411,10 @@ class Reference:
         target = old.focus if old.intention in (EAT, MATE) and old.focus in self.at else -1
         near, when, other = self._around(me, target)
         company = (len(near) + self._shoal(me)) if schooling else 0
-        hunters, soon, big = self._hunters(me, target)
+        round_now = (self.now // 4 + me.id) % 2 == 0
+        hunters, soon, big = [], NOBODY, -1
+        if old.fear > 0.0 or round_now:
+            hunters, soon, big = self._hunters(me, target)
         when, other = (soon, big) if soon < when else (when, other)
         fear, danger, predator = self._fear(me, hunters)
         meets, far, speed = self._submarine(me)
@@ -415,9 +427,13 @@ class Reference:
         urgent = blocked or threat or (timid and fear > 0.5)
         stomach = in_stomach(me.eaten, me.ate_at, self.now, sense.digestion[kind])
         plain = max(1.0 - stomach / sense.appetite[kind], -1.0)
-        meal, meal_far = (-1, NOBODY) if urgent else self._meal(me, old, plain, target)
+        looks = urgent or EAT in (old.intention, old.memory) or round_now
+        meal, meal_far = -1, NOBODY
+        if looks and not urgent:
+            meal, meal_far = self._meal(me, old, plain, target)
         tempted = stimulus(me.length, meal_far, 1.0 / 8.0, 1.0 / 2.0)
         hunger = 0.0 if plain <= -1.0 else clamp(plain + 0.8 * tempted)
+        hunger = hunger if looks else max(old.hunger, hunger)
         wish = 0.0
         if role != PREDATOR:
             waited = max(float(self.now - me.mated_at), 0.0)
@@ -446,7 +462,7 @@ class Reference:
         elif why == CURIOSITY:
             focus = SUBMARINE
         since = self.now if intention != old.intention or threat else old.since
-        return Mind(intention, why, since, memory, focus, libido, value)
+        return Mind(intention, why, since, memory, focus, libido, hunger, fear, value)
 
     def _intend(  # noqa: C901 (the generator's rules, one after another)
         self, me: Body, old: Mind, obstacle: float, collides: float, timid: bool, fear: float,

@@ -183,9 +183,9 @@ def school(
     spacing *= 1.0 - _CLOSE_RANKS * alarm
     ax, ay, az = crowd.hx[me], crowd.hy[me], crowd.hz[me]
     sx = sy = sz = cx = cy = cz = 0.0
+    elbow = 1.0 / (_ELBOW * spacing)
     for k in range(found):
         other = near[k]
-        d = sqrt(distance[k]) + 1e-9
         dx, dy, dz = (
             crowd.x[other] - crowd.x[me],
             crowd.y[other] - crowd.y[me],
@@ -193,7 +193,7 @@ def school(
         )
         cx, cy, cz = cx + dx, cy + dy, cz + dz
         ax, ay, az = ax + crowd.hx[other], ay + crowd.hy[other], az + crowd.hz[other]
-        push = max(1.0 - d / (_ELBOW * spacing), 0.0) / d
+        push = max(1.0 / (sqrt(distance[k]) + 1e-9) - elbow, 0.0)
         sx, sy, sz = sx - push * dx, sy - push * dy, sz - push * dz
     sz *= _FLATTEN
     cz /= _FLATTEN
