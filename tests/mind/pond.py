@@ -48,6 +48,7 @@ def make_senses() -> SenseTable:
         warm=np.zeros(2, np.int8),
         mouth=np.full(2, 0.35),
         nose=np.full(2, 0.28),
+        at_home=np.zeros(2, np.int8),
     )
 
 
