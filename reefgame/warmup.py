@@ -22,10 +22,10 @@ from numba.core import event
 from components.anemone import Cap
 from components.camera import camera_at
 from components.clock import TICKS_PER_SECOND
+from components.command import FULL, Command
 from components.fibre import Tuft
 from components.field import PACKED
 from components.garden import Garden
-from components.command import FULL, Command
 from components.kernels import CACHED, sources_hash
 from reefgame.console import Report, progress_bar
 from reefgame.content import load
