@@ -29,9 +29,9 @@ _RINGS: Final = (
     (
         (0.12, 0.02, 0.9),
         (0.5, 0.0, 0.55),
-        (0.92, 0.0, 0.4),
-        (1.03, -0.05, 0.5),
-        (1.035, -0.22, 0.42),
+        (0.94, 0.012, 0.4),
+        (1.025, 0.005, 0.5),
+        (1.04, -0.09, 0.42),
     ),
 )
 """Part of the way from mouth to rim, height over the radius, how open to light: inside the mouth; the disc."""
@@ -86,7 +86,9 @@ class DrawDiscs:
         self._constant = np.zeros((len(discs), RECORD), np.float32)
         for row, disc in enumerate(discs):
             chance = 0.7548776662466927 * row
-            self._constant[row, 3], self._constant[row, 7] = disc.radius, disc.mouth / disc.radius
+            # It covers the end of the foot, however wide that is.
+            radius = max(disc.radius, float(garden.radius[self._last[row], self._lane[row]]))
+            self._constant[row, 3], self._constant[row, 7] = radius, disc.mouth / radius
             self._constant[row, 11:13] = disc.look, chance - np.floor(chance)
             self._constant[row, 13:15] = light[disc.tuft]
             self._constant[row, 15] = dome_of(garden, disc)
