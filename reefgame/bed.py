@@ -21,9 +21,9 @@ from systems.view.shade import ground_under
 if TYPE_CHECKING:
     from reefgame.world import World
 
-SETTLING_STEPS: Final = 60
+SETTLING_STEPS: Final = 24
 """Steps before the first picture, so that it shows fibres as the flow has laid them: three seconds."""
-SETTLING_STEP: Final = 0.05
+SETTLING_STEP: Final = 0.125
 """[s]"""
 _ON_SAND: Final = 0.12
 """[m] from the sand within which a plant's root stands in it."""

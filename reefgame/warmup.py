@@ -21,12 +21,18 @@ from numba.core import event
 
 from components.anemone import Cap
 from components.camera import camera_at
+from components.clock import TICKS_PER_SECOND
 from components.command import FULL, Command
+from components.fibre import Tuft
+from components.field import PACKED
+from components.garden import Garden
 from components.kernels import CACHED, sources_hash
 from reefgame.console import Report, progress_bar
 from reefgame.content import load
 from reefgame.world import World
+from systems.sea.bend import LEAST_NODES, NumbaBender
 from systems.view.cull import Culling, view_of
+from systems.view.fibre_strips import RING, fibres_of, write_strips
 
 DOING: Final = "compiling kernels (first launch only)"
 _KERNELS: Final = 175
@@ -34,6 +40,8 @@ _KERNELS: Final = 175
 _LIVE_KERNELS: Final = 69
 """... and those of live physics."""
 
+_BENT: Final = LEAST_NODES // 8 + 1
+"""Fibres of eight nodes that are bent in parallel."""
 _LEVEL: Final = "first_dive"
 
 
@@ -79,6 +87,20 @@ def compile_backwards() -> None:
     Culling(np.zeros(len(world.species)), world.library.after)(people, view, 0.5, 0.0)
     for system in reversed(world.systems):
         system()
+    compile_garden()
+
+
+def compile_garden() -> None:
+    """Compile what bends and draws plants, which the level of the first tick has none of."""
+    roots = np.zeros((_BENT, 1, 3))
+    roots[:, 0, 0] = np.arange(_BENT)
+    points = roots + np.linspace(0.0, 1.0, 8)[:, None] * (0.0, 0.0, 1.0)
+    thin = np.full(8, 0.01)
+    garden = Garden([Tuft(points, thin), Tuft(points, thin, guides=0)])
+    nothing, one = np.zeros((0, PACKED), np.float32), np.zeros(1, np.int32)
+    NumbaBender().step(garden, nothing, 1.0 / TICKS_PER_SECOND)
+    rings = np.zeros((8, RING), np.float32)
+    write_strips(fibres_of(garden), one, one + 8, one, np.zeros(RING), rings)
 
 
 def _world(live: int = 0) -> World:

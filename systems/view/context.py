@@ -15,6 +15,8 @@ import pyglet
 from components.fault import FaultError
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# Threads that wait for the next parallel kernel must not spin on the cores that software OpenGL draws with.
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 PACKAGES: Final = "libegl1 libegl-mesa0 libgl1 libglx-mesa0 libgl1-mesa-dri"
 """Debian's packages that draw without a graphics card."""

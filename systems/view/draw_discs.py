@@ -16,15 +16,23 @@ from systems.view.program import load_program, uniform_location
 LOOKS_UNIT: Final = 1
 RECORD: Final = 16
 """Numbers of a disc's record: middle, radius; side, mouth; direction, look; chance, sky, sun, dome."""
-SECTORS: Final = (32, 8)
-"""Corners around a disc, near and far."""
-FAR_PIXELS: Final = 12.0
-"""[px] of radius below which a disc is far."""
+SECTORS: Final = (36, 16, 7)
+"""Corners around a disc at each level of detail, the finest first."""
+PIXELS: Final = (60.0, 15.0)
+"""[px] of radius above which each level but the last is drawn."""
+_BUFFERS: Final = 2 * len(SECTORS) + 1
+"""Corners and triangles of each level, and the records."""
 LEAST_PIXELS: Final = 1.0
 """[px] below which it is left out."""
 _RINGS: Final = (
     ((-1.0, -0.30, 0.03), (-0.25, -0.12, 0.2), (0.0, 0.035, 0.8)),
-    ((0.12, 0.02, 0.9), (0.5, 0.0, 0.55), (0.9, 0.0, 0.4), (1.0, -0.03, 0.5), (1.01, -0.10, 0.45)),
+    (
+        (0.12, 0.02, 0.9),
+        (0.5, 0.0, 0.55),
+        (0.94, 0.012, 0.4),
+        (1.025, 0.005, 0.5),
+        (1.04, -0.09, 0.42),
+    ),
 )
 """Part of the way from mouth to rim, height over the radius, how open to light: inside the mouth; the disc."""
 
@@ -46,13 +54,12 @@ def dome_of(garden: Garden, disc: Disc) -> float:
     if tentacles >= len(garden.plant) or garden.plant[tentacles] != garden.plant[disc.tuft]:
         return 0.0
     foot = garden.points(garden.fibre(disc.tuft, disc.fibre)).astype(np.float64)
-    ahead = foot[-1] - foot[-2]
+    ahead = _unit(foot[-1:] - foot[-2:-1])[0]
     fibres = slice(garden.first_fibre[tentacles], garden.first_fibre[tentacles + 1])
     roots = garden.position[garden.first_row[fibres], :, garden.lane[fibres]] - foot[-1]
-    high = roots @ (ahead / np.linalg.norm(ahead)) / disc.radius
-    out = np.sqrt(np.maximum((roots**2).sum(axis=1) / disc.radius**2 - high**2, 0.0))
-    inner = out < 0.95
-    return float(np.median(high[inner] / (1.0 - out[inner] ** 2))) if inner.any() else 0.0
+    high = roots @ ahead / disc.radius
+    fall = 1.0 - np.maximum((roots**2).sum(axis=1) / disc.radius**2 - high**2, 0.0)
+    return float(np.clip(high @ fall / max(fall @ fall, 1e-6), -1.0, 1.0))
 
 
 class DrawDiscs:
@@ -75,11 +82,13 @@ class DrawDiscs:
         fibre = np.array([garden.fibre(disc.tuft, disc.fibre) for disc in discs], np.int64)
         self._first, self._lane = garden.first_row[fibre], garden.lane[fibre]
         self._last = self._first + garden.nodes[fibre] - 1
-        self._side = side[fibre]
+        self._side = side[fibre].astype(np.float64)
         self._constant = np.zeros((len(discs), RECORD), np.float32)
         for row, disc in enumerate(discs):
             chance = 0.7548776662466927 * row
-            self._constant[row, 3], self._constant[row, 7] = disc.radius, disc.mouth / disc.radius
+            # It covers the end of the foot, however wide that is.
+            radius = max(disc.radius, float(garden.radius[self._last[row], self._lane[row]]))
+            self._constant[row, 3], self._constant[row, 7] = radius, disc.mouth / radius
             self._constant[row, 11:13] = disc.look, chance - np.floor(chance)
             self._constant[row, 13:15] = light[disc.tuft]
             self._constant[row, 15] = dome_of(garden, disc)
@@ -87,18 +96,20 @@ class DrawDiscs:
         gl.glUseProgram(self._program.id)
         gl.glUniform1i(uniform_location(self._program, "looks"), LOOKS_UNIT)
         gl.glUseProgram(0)
-        self._buffers, self._arrays = (c_uint * 5)(), (c_uint * 2)()
-        gl.glGenBuffers(5, self._buffers)
-        gl.glGenVertexArrays(2, self._arrays)
-        self._counts = [self._build(level) for level in range(2)]
+        self._buffers, self._arrays = (c_uint * _BUFFERS)(), (c_uint * len(SECTORS))()
+        gl.glGenBuffers(_BUFFERS, self._buffers)
+        gl.glGenVertexArrays(len(SECTORS), self._arrays)
+        self._counts = [self._build(level) for level in range(len(SECTORS))]
 
     def records(self, rows: NDArray[np.intp]) -> Float32s:
         """Return the records of discs, (n, RECORD), as their feet stand now."""
         position, records = self._garden.position, self._constant[rows]
         first, last, lane = self._first[rows], self._last[rows], self._lane[rows]
         top = position[last, :, lane].astype(np.float64)
-        ahead = _unit(top - position[np.maximum(last - 1, first), :, lane])
-        side = _unit(self._side[rows] - (self._side[rows] * ahead).sum(1, keepdims=True) * ahead)
+        below = position[np.maximum(last - 1, first), :, lane]
+        ahead = _unit(top - below)
+        side = self._side[rows]
+        side = _unit(side - (side * ahead).sum(axis=1, keepdims=True) * ahead)
         records[:, 0:3], records[:, 4:7], records[:, 8:11] = top, side, ahead
         return records
 
@@ -114,8 +125,9 @@ class DrawDiscs:
         seen &= pixels > LEAST_PIXELS
         gl.glUseProgram(self._program.id)
         gl.glDisable(gl.GL_CULL_FACE)
-        for level, chosen in enumerate((pixels >= FAR_PIXELS, pixels < FAR_PIXELS)):
-            rows = np.flatnonzero(seen & chosen)
+        levels = (pixels[:, None] < PIXELS).sum(axis=1)
+        for level in range(len(SECTORS)):
+            rows = np.flatnonzero(seen & (levels == level))
             if len(rows):
                 self._draw_level(level, self.records(rows))
 
@@ -123,7 +135,7 @@ class DrawDiscs:
         from pyglet import gl
 
         gl.glBindVertexArray(self._arrays[level])
-        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[4])
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[_BUFFERS - 1])
         gl.glBufferData(gl.GL_ARRAY_BUFFER, records.nbytes, records.ctypes.data, gl.GL_STREAM_DRAW)
         gl.glDrawElementsInstanced(
             gl.GL_TRIANGLES, self._counts[level], gl.GL_UNSIGNED_INT, c_void_p(0), len(records)
@@ -142,7 +154,7 @@ class DrawDiscs:
         gl.glBufferData(
             gl.GL_ELEMENT_ARRAY_BUFFER, indices.nbytes, indices.ctypes.data, gl.GL_STATIC_DRAW
         )
-        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[4])
+        gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._buffers[_BUFFERS - 1])
         for k in range(RECORD // 4):
             gl.glEnableVertexAttribArray(1 + k)
             gl.glVertexAttribPointer(
@@ -156,8 +168,8 @@ class DrawDiscs:
         """Free buffers and program."""
         from pyglet import gl
 
-        gl.glDeleteBuffers(5, self._buffers)
-        gl.glDeleteVertexArrays(2, self._arrays)
+        gl.glDeleteBuffers(_BUFFERS, self._buffers)
+        gl.glDeleteVertexArrays(len(SECTORS), self._arrays)
         self._program.delete()
 
 

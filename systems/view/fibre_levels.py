@@ -38,7 +38,7 @@ CAPS: Final = ((2, 1, 1, 0, 0, 0), (0,) * LEVELS, (0,) * LEVELS)
 MOST_RINGS: Final = 33
 """Of one fibre."""
 _LEAST_RINGS: Final = (4, 4, 4, 3, 3, 2)
-_PARTS: Final = (1.0, 1.0, 1.0, 1.0, 1.0, 0.5)
+_PARTS: Final = (1.0, 1.0, 1.0, 1.0, 0.6, 0.3)
 """Part of a tuft's fibres that are drawn at each level, wider for those that are not."""
 _COARSER: Final = 0.85
 

@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from components.arrays import Float64s
 from components.flora import Anemone
 from tools.grow.phyllotaxis import phyllotaxis
-from tools.grow.shape import Carried, Chance, Part, curved, leaning, lengths, thickness
+from tools.grow.shape import Carried, Chance, Part, curved, leaning, lengths, thickness, unit
 
 _JITTER = 0.3
 
@@ -40,15 +41,25 @@ def _tentacles(anemone: Anemone, foot: Part, chance: Chance) -> Part:
     out = np.linalg.norm(places, axis=1)
     at = (out - anemone.mouth) / (anemone.radius - anemone.mouth)
     high = anemone.dome * anemone.radius * (1.0 - (out / anemone.radius) ** 2)
-    roots = top + np.column_stack([places, high])
+    roots = np.column_stack([places, high])
     splay = np.radians(np.interp(at, (0.0, 1.0), anemone.splay))
     splay = splay + _JITTER * limb.variety * chance.standard_normal(count)
     azimuth = np.arctan2(places[:, 1], places[:, 0])
     azimuth = azimuth + 2.0 * _JITTER * limb.variety * chance.standard_normal(count)
     ways, sides = leaning(azimuth, splay)
     points = curved(roots, ways, sides, lengths(limb, at, chance), limb, chance)
+    # They stand on the end of the foot, which leans as it curls.
+    points = top + points @ _axes(unit(top - foot.points[0, -2]))
     thick = thickness(limb, chance.uniform(0.9, 1.05, count))
     carried = Carried(
         0, np.zeros(count, np.int32), np.full(count, foot.points.shape[1] - 1, np.int32)
     )
     return Part("tentacle", points, thick, limb, carried)
+
+
+def _axes(up: Float64s) -> Float64s:
+    """Return axes as rows, (3, 3), whose third is the unit vector `up`, turned as little as brings z there."""
+    x, y, z = up
+    lean = 1.0 / (1.0 + max(z, -0.99))
+    first, second = (1.0 - x * x * lean, -x * y * lean, -x), (-x * y * lean, 1.0 - y * y * lean, -y)
+    return np.array([first, second, up])
