@@ -46,11 +46,11 @@ class Stirs:
 
     kind: SingularityKind = SingularityKind.HOLE
     "a source, that they bend away from, or a hole, that they reach for"
-    speed: float = 1.5
+    speed: float = 1.2
     "[m/s] in its centre, Phi_max"
-    core: float = 0.3
+    core: float = 0.2
     "[m] from the centre at which that has fallen to a half"
-    reach: float = 1.5
+    reach: float = 1.0
     "[m] beyond which nothing is felt; 0 where nothing is stirred"
 
 

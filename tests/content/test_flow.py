@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from components.singularity import SingularityKind
+from components.species import Stirs
 from reefgame.content import load, load_species
 
 Write = Callable[[str, str | bytes], Path]
@@ -100,6 +102,7 @@ def test_a_flow_changes_what_a_dive_depends_on_and_its_absence_does_not(write: W
 
 
 def test_what_a_fish_is_to_plants_is_one_short_key(write: Write) -> None:
-    assert load_species("clownfish").stirs.speed == 3.0
+    assert load_species("clownfish").stirs.kind == SingularityKind.SOURCE
+    assert load_species("sardine").stirs == Stirs(SingularityKind.HOLE)
     path = write("ghost.yaml", "like: sardine\ntitle: Ghost\nstirs: {kind: none}\n")
     assert load_species(path).stirs.reach == 0.0

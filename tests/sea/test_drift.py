@@ -182,3 +182,19 @@ def test_the_grid_leaves_no_singularity_out_that_is_felt(seed: int, number: int)
     grid = list_spheres(sphere_grid(20.0), field.position, field.reach)
     for x, y, z in chance.uniform(-30.0, 30.0, (20, 3)):
         assert flow_near(field, grid, 7, x, y, z) == flow(field, 7, x, y, z)
+
+
+def test_the_wash_blows_plankton_astern(pool: Pool) -> None:
+    world = pool(
+        food="{around_m: [-17.6, 0, -5], within_m: 1, particles: 60, drift_m_per_s: [0, 0, 0]}"
+    )
+    ship, food = world.submarine, world.food
+    ship.throttle[0] = 1.0
+    drift(world, 2)
+    steps = column(food, "position") - column(food, "last_position")
+    stayed = np.abs(steps).max(axis=1) > 0.0
+    assert stayed.sum() > 40
+    assert steps[stayed, 0].max() < -0.5 / 60.0
+    ship.throttle[0] = 0.0
+    drift(world, 1)
+    assert not (column(food, "position") - column(food, "last_position")).any()

@@ -194,8 +194,8 @@ class Stirs(Strict):
 
     kind: Literal["source", "hole", "none"]
     """source: it pushes them away; hole: it draws them; none: they do not mind it."""
-    speed_m_per_s: Annotated[float, Field(ge=0.0, le=20.0)] = 3.0
-    core_m: Annotated[float, Field(ge=0.05, le=5.0)] = 0.3
+    speed_m_per_s: Annotated[float, Field(ge=0.0, le=20.0)] = 1.2
+    core_m: Annotated[float, Field(ge=0.05, le=5.0)] = 0.2
     """How far from the fish the speed has fallen to a half."""
-    reach_m: Annotated[float, Field(ge=0.1, le=10.0)] = 1.5
+    reach_m: Annotated[float, Field(ge=0.1, le=10.0)] = 1.0
     """Beyond this nothing is felt."""

@@ -162,7 +162,7 @@ class SpeciesFile(Strict):
     swim: SwimStyle | None = None
     """May be missing until `reefgame capture --tune` has found it; only then the species swims."""
     mind: Mind = Mind()
-    stirs: Stirs = Stirs(kind="hole", speed_m_per_s=1.5)
+    stirs: Stirs = Stirs(kind="hole")
     """What it is to anemones and weeds."""
     skin: SkinLook
 
