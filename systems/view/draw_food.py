@@ -15,7 +15,7 @@ from systems.view.program import load_program
 
 FARTHEST: Final = 14.0
 """[m] from the eye beyond which a particle is not drawn."""
-_LENGTH: Final = 0.014
+_LENGTH: Final = 0.018
 """[m] of a particle of a twentieth of a gram."""
 _MEAL: Final = 0.05
 

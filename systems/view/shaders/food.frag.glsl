@@ -9,5 +9,5 @@ void main() {
     at.y += .34 * at.x * at.x - .12;
     float body = 1. - smoothstep(.0, 1., dot(at, at * vec2(1.15, 7.)));
     float gut = 1. - smoothstep(.0, .5, dot(at + vec2(.28, .0), (at + vec2(.28, .0)) * vec2(3., 16.)));
-    colour = vec4(light * (1. - .45 * gut), manner.x * (.62 * body + .30 * gut));
+    colour = vec4(light * (1. - .45 * gut), manner.x * (.74 * body + .26 * gut));
 }
