@@ -28,6 +28,8 @@ _FORK: Final = 0.012
 _STIFF: Final = 2.0
 _WHOLE_OF_SPINE: Final = (STATIONS - 1) / (LAST - FIRST - 1)
 _ROUND_FIN: Final = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (7, 7))
+_ROOT: Final = (-2, -6)
+"""Stations that say where the tail goes: those after them may lie in one of its lobes."""
 _FEWEST: Final = 12
 """Stations without a fin's root that it takes to bridge the rest."""
 
@@ -74,9 +76,11 @@ def medial_axis(finless: Finless, contour: Float64s, ahead: Float64s) -> Axis:
         spine = _smoothed(middle, spoilt)
         head = _head_tip(finless.body, spine)
         tail = _tail_tip(finless.body, finless.outline, spine)
-        line = np.concatenate((head[None], spine, tail[None]))
+        lobes = _lobes(finless.outline, spine)
+        end = tail if np.isnan(lobes[0]) else lobes
+        line = np.concatenate((head[None], spine, end[None]))
     half_width = 0.5 * (_bridged(left, spoilt) + _bridged(right, spoilt))
-    return Axis(spine, half_width, head, tail, _lobes(finless.outline, spine))
+    return Axis(spine, half_width, head, tail, lobes)
 
 
 def _fin_shade(finless: Finless) -> Grey | None:
@@ -189,9 +193,9 @@ def _head_tip(body: Grey, spine: Float64s) -> Float64s:
 
 def _tail_end(outline: Float64s, spine: Float64s) -> tuple[Float64s, Float64s, Bools, float]:
     """Return places of the outline along and aside of the tail's course, which of them are the tail's, and BL [px]."""
-    course = _course(spine, -1, -5)
+    course = _course(spine, *_ROOT)
     length = float(np.sqrt((np.diff(spine, axis=0) ** 2).sum(axis=1)).sum()) * _WHOLE_OF_SPINE
-    away = outline - spine[-1]
+    away = outline - spine[_ROOT[0]]
     along = away @ course
     aside = away @ np.array([-course[1], course[0]])
     near = (along > 0.0) & (np.abs(aside) < 0.2 * length) & (along < 0.3 * length)
@@ -201,7 +205,7 @@ def _tail_end(outline: Float64s, spine: Float64s) -> tuple[Float64s, Float64s, B
 def _tail_tip(body: Grey, outline: Float64s, spine: Float64s) -> Float64s:
     """Return the last place inside the mask on the way to the middle of the tail's end."""
     along, aside, near, length = _tail_end(outline, spine)
-    course = _course(spine, -1, -5)
+    origin, course = spine[_ROOT[0]], _course(spine, *_ROOT)
     if not near.any():
         return np.asarray(spine[-1] + course)
     far = float(along[near].max())
@@ -209,10 +213,10 @@ def _tail_tip(body: Grey, outline: Float64s, spine: Float64s) -> Float64s:
     middle = 0.5 * (end.min() + end.max())
     way = far * course + middle * np.array([-course[1], course[0]])
     parts = np.arange(0.0, far, _STEP) / far
-    places = spine[-1] + parts[:, None] * way
+    places = origin + parts[:, None] * way
     inside = np.flatnonzero(_sampled(body, places[:, 0], places[:, 1]))
     last = float(parts[inside[-1]]) + 0.5 * _STEP / far if len(inside) else 1.0
-    return np.asarray(spine[-1] + last * way)
+    return np.asarray(origin + last * way)
 
 
 def _lobes(outline: Float64s, spine: Float64s) -> Float64s:
