@@ -64,7 +64,7 @@ _SMOOTH: Final = np.linalg.inv(np.eye(LAST - FIRST) + _STIFFNESS)
 
 def medial_axis(finless: Finless, contour: Float64s, ahead: Float64s) -> Axis:
     """Return the axis of a finless mask whose smooth contour [px] is given, (256, 2); `ahead` points to the head."""
-    line = _paired(contour, ahead)
+    line = paired(contour, ahead)
     reach = 1.6 * finless.radius + 2.0
     shade = _fin_shade(finless)
     for _ in range(_PASSES):
@@ -126,7 +126,7 @@ def whole_axis(head: Float64s, spine: Float64s, tail: Float64s) -> Float64s:
     return evenly(np.concatenate((head[None], spine, tail[None])), STATIONS)
 
 
-def _paired(contour: Float64s, ahead: Float64s) -> Float64s:
+def paired(contour: Float64s, ahead: Float64s) -> Float64s:
     """Return the middle of the contour's two sides between head and tail (eq. 1), (129, 2)."""
     away = contour - contour.mean(axis=0)
     along = away @ ahead
