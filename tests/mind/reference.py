@@ -412,7 +412,8 @@ class Reference:
         near, when, other = self._around(me, target)
         company = (len(near) + self._shoal(me)) if schooling else 0
         round_now = (self.now // 4 + me.id) % 2 == 0
-        hunters, soon, big = [], NOBODY, -1
+        hunters: list[tuple[float, Body]] = []
+        soon, big = NOBODY, -1
         if old.fear > 0.0 or round_now:
             hunters, soon, big = self._hunters(me, target)
         when, other = (soon, big) if soon < when else (when, other)

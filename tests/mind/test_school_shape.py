@@ -42,8 +42,12 @@ def test_a_school_is_polarised_near_and_longer_than_wide_or_high(seed: int) -> N
     assert long > 1.5 * high
 
 
-def test_a_school_keeps_to_its_home() -> None:
-    world = World.build(load("first_dive"), 1)
+def test_a_school_that_nobody_hunts_keeps_to_its_home() -> None:
+    content = load("first_dive")
+    peaceful = tuple(group for group in content.level.fishes if group.species != "barracuda")
+    world = World.build(
+        replace(content, level=content.level.model_copy(update={"fishes": peaceful})), 1
+    )
     kind = [s.name for s in world.species].index("sardine")
     home = world.terrain.home[world.terrain.home_species == kind][0]
     away = []
