@@ -1,0 +1,52 @@
+"""Which swims a film gives: the steadiest bout is the cruise, much slower and much faster ones the other gears."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from components.body import Body
+from components.repertoire import Pattern, Segment
+from tools.video.water.beats import STEADY, Bout
+from tools.video.water.cycle import Cycle, cycle
+from tools.video.water.film import Film
+from tools.video.water.lattice import figures_of, loop_of
+
+SLOWER: Final = 0.75
+FASTER: Final = 1.3
+"""Beats a second over the cruise's from which a bout is another gear."""
+
+
+@dataclass(frozen=True)
+class Cut:
+    """A segment that was cut out of a film."""
+
+    segment: Segment
+    figures: str
+    "as one line for the provenance"
+    first: int
+    "frame of the film"
+    stop: int
+    "the frame after its last"
+
+
+def gaits_of(film: Film, found: Sequence[Bout], body: Body) -> tuple[list[Cut], Cycle]:
+    """Return the swims that bouts, steadiest first, give, and the cruise as a cycle. It is the first bout's."""
+    cruise = cycle(film, found[0])
+    cuts = [_cut(cruise, found[0], body, Pattern.SWIM_MEDIUM)]
+    for pattern, lowest, highest in (
+        (Pattern.SWIM_SLOW, 0.0, SLOWER * cruise.frequency),
+        (Pattern.SWIM_FAST, FASTER * cruise.frequency, float("inf")),
+    ):
+        for bout in found:
+            if lowest < bout.frequency < highest and bout.steadiness >= STEADY:
+                other = cycle(film, bout)
+                if (other.speed < cruise.speed) == (pattern is Pattern.SWIM_SLOW):
+                    cuts.append(_cut(other, bout, body, pattern))
+                    break
+    return cuts, cruise
+
+
+def _cut(swum: Cycle, bout: Bout, body: Body, pattern: Pattern) -> Cut:
+    figures = figures_of(swum, body)
+    text = f"{figures.text()}, wavelength {swum.wavelength():.2f} BL"
+    return Cut(loop_of(swum, body, pattern), text, bout.first, bout.stop)
