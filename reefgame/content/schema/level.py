@@ -191,6 +191,8 @@ class LevelFile(Strict):
     homes: Annotated[tuple[Home, ...], Field(max_length=200)] = ()
     submarine: Start
     fishes: Annotated[tuple[Group, ...], Field(max_length=400)] = ()
+    more_fishes: Annotated[tuple[Group, ...], Field(max_length=400)] = ()
+    """With `overrides`: groups that come beside those that are there, whatever other mods add."""
     food: Annotated[tuple[FoodPatch, ...], Field(max_length=200)] = ()
     objective: Objective
     prompts: Annotated[tuple[Prompt, ...], Field(max_length=20)] = ()
