@@ -45,11 +45,15 @@ def repertoire_of(
         if found.provenance.get("fingerprint") == wanted or fits(found, body, swim):
             return found
         if is_filmed(found):
-            return _refitted(path, found, _captured(body, swim, wanted, origin, progress), body, swim)
+            return _refitted(
+                path, found, _captured(body, swim, wanted, origin, progress), body, swim
+            )
     return _captured(body, swim, wanted, origin, progress)
 
 
-def _refitted(path: Path, found: Repertoire, captured: Repertoire, body: Body, swim: Swim) -> Repertoire:
+def _refitted(
+    path: Path, found: Repertoire, captured: Repertoire, body: Body, swim: Swim
+) -> Repertoire:
     from tools.video.water.joining import rejoined
 
     try:

@@ -29,7 +29,7 @@ def filmed(
     part = (ticks - before)[:, None, None]
     axis = (1.0 - part) * line[before] + part * line[before + 1]
     axis = _resampled(axis)
-    angle = heading + circling * np.arange(frames) / rate
+    angle: Float64s = heading + circling * np.arange(frames) / rate
     axis = _circled(axis, angle)
     axis = PIXELS * axis * (1.0, -1.0) + (500.0, 300.0) + noise * chance.normal(size=axis.shape)
     at = np.linspace(0.0, 1.0, STATIONS)
@@ -37,7 +37,9 @@ def filmed(
     return Film(rate, axis, np.tile(width, (frames, 1)), np.ones(frames, bool))
 
 
-def centre_lines(body: Body, segment: Segment, frames: int, holds_station: bool = False) -> Float64s:
+def centre_lines(
+    body: Body, segment: Segment, frames: int, holds_station: bool = False
+) -> Float64s:
     """Return the centre line at each tick, x ahead, y left [BL], (frames, 41, 2)."""
     middle = silhouette_of(body).middle
     rotation, origin, lines = np.eye(3), np.zeros(3), []
@@ -78,13 +80,16 @@ def _circled(axis: Float64s, angle: Float64s) -> Float64s:
     shape = np.einsum("fij,fsj->fsi", turn, axis - middle[:, None])
     steps = np.einsum("fij,fj->fi", 0.5 * (turn[1:] + turn[:-1]), np.diff(middle, axis=0))
     place = np.concatenate((middle[:1], middle[:1] + np.cumsum(steps, axis=0)))
-    return shape + place[:, None]
+    placed: Float64s = shape + place[:, None]
+    return placed
 
 
 def _resampled(axis: Float64s) -> Float64s:
     found = np.empty_like(axis)
     for frame, line in enumerate(axis):
-        along = np.concatenate(([0.0], np.cumsum(np.sqrt((np.diff(line, axis=0) ** 2).sum(axis=1)))))
+        along = np.concatenate(
+            ([0.0], np.cumsum(np.sqrt((np.diff(line, axis=0) ** 2).sum(axis=1))))
+        )
         at = np.linspace(0.0, along[-1], STATIONS)
         found[frame] = np.stack([np.interp(at, along, line[:, i]) for i in (0, 1)], axis=-1)
     return found

@@ -1,15 +1,15 @@
 """Beats of the tail: how often, and where in the film they are steadiest (FINDINGS 4, Into the water).
 
-The signal is the bend of the rear against the front, which no turn of the whole fish enters. Its frequency is that of
-the sinusoid which, beside a slow drift, leaves least of it.
+The signal is the bend of the rear against the front, which no turn of the whole fish enters. Frequency and steadiness
+of each bout are those of the sinusoid that explains most of it (tools/video/beats.py).
 """
 
 from typing import Final, NamedTuple
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 from components.arrays import Float64s
+from tools.video.beats import beat_of
 from tools.video.water.film import Film, FilmError, angles
 
 FEWEST_BEATS: Final = 1.4
@@ -21,7 +21,7 @@ BOUT_BEATS: Final = 4.0
 _HOP: Final = 0.5
 """... and from one bout to the next."""
 
-_FEWEST_FRAMES: Final = 4.5
+FEWEST_FRAMES: Final = 4.5
 """Frames that a beat must last: fewer do not tell one shape from the next."""
 
 LEAST_SWING: Final = 0.02
@@ -51,46 +51,6 @@ def bend(film: Film) -> Float64s:
     return rear
 
 
-def frequency_of(signal: Float64s, good: Float64s, rate: float, near: float | None = None) -> tuple[float, float]:
-    """Return the beats a second of a signal (F,), and the part of its variance that they explain.
-
-    `good` (F,) weighs frames. With `near`, only frequencies within .4 to 2.2 times it are looked at. Raise FilmError
-    where the signal is too short.
-    """
-    seconds = len(signal) / rate
-    lowest, highest = FEWEST_BEATS / seconds, rate / _FEWEST_FRAMES
-    if near is not None:
-        lowest, highest = max(lowest, 0.4 * near), min(highest, 2.2 * near)
-    if not lowest < highest:
-        raise FilmError(
-            f"{len(signal)} frames are too few: {FEWEST_BEATS:g} beats of the tail are needed"
-        )
-    times = np.arange(len(signal)) / rate - 0.5 * seconds
-    grid = np.arange(lowest, highest, 0.1 / seconds)
-    left = [_left(f, times, signal, good) for f in grid]
-    at = int(np.argmin(left))
-    step = 0.1 / seconds
-    found = minimize_scalar(
-        lambda f: _left(f, times, signal, good),
-        bounds=(max(lowest, grid[at] - step), min(highest, grid[at] + step)),
-        method="bounded",
-        options={"xatol": 1e-6 * grid[at]},
-    )
-    return float(found.x), 1.0 - min(float(found.fun), left[at])
-
-
-def _left(frequency: float, times: Float64s, signal: Float64s, good: Float64s) -> float:
-    """Return the part of a signal's variance about its drift that a sinusoid of `frequency` leaves."""
-    drift = np.stack((np.ones_like(times), times, times * times), axis=-1) * good[:, None]
-    wave = 2.0 * np.pi * frequency * times
-    both = np.stack((np.cos(wave), np.sin(wave)), axis=-1) * good[:, None]
-    weighed = signal * good
-    away = weighed - drift @ np.linalg.lstsq(drift, weighed, rcond=None)[0]
-    full = np.concatenate((drift, both), axis=1)
-    rest = weighed - full @ np.linalg.lstsq(full, weighed, rcond=None)[0]
-    return float((rest**2).sum() / max(float((away**2).sum()), 1e-300))
-
-
 def bouts(film: Film) -> list[Bout]:
     """Return overlapping bouts of some beats each, steadiest first. Raise FilmError where the fish does not swim."""
     signal, good = bend(film), film.good.astype(np.float64)
@@ -104,11 +64,14 @@ def bouts(film: Film) -> list[Bout]:
         span = slice(first, first + frames)
         if good[span].mean() < STEADY or float(np.std(signal[span])) < LEAST_SWING:
             continue
-        own, steady = frequency_of(signal[span], good[span], film.rate, typical)
-        found.append(Bout(first, first + frames, own, steady))
+        beat = beat_of(signal[span], film.good[span])
+        if beat.beats >= FEWEST_BEATS and beat.period >= FEWEST_FRAMES:
+            found.append(Bout(first, first + frames, film.rate / beat.period, beat.certainty))
     found.sort(key=lambda bout: -bout.steadiness)
     if not found or found[0].steadiness < STEADY:
-        raise FilmError("no beats of the tail follow one another evenly: nothing can be cut out of this motion")
+        raise FilmError(
+            "no beats of the tail follow one another evenly: nothing can be cut out of this motion"
+        )
     return found
 
 
@@ -120,9 +83,13 @@ def _typical(signal: Float64s, good: Float64s, rate: float) -> float:
         part = signal[first : first + frames] * 1.0
         times = np.linspace(-1.0, 1.0, frames)
         part -= np.polyval(np.polyfit(times, part, 2), times)
-        power += np.abs(np.fft.rfft(part * good[first : first + frames] * np.hanning(frames), size)) ** 2
+        power += (
+            np.abs(np.fft.rfft(part * good[first : first + frames] * np.hanning(frames), size)) ** 2
+        )
     rates = np.fft.rfftfreq(size, 1.0 / rate)
-    fits = (rates >= FEWEST_BEATS * rate / frames) & (rates <= rate / _FEWEST_FRAMES)
+    fits = (rates >= FEWEST_BEATS * rate / frames) & (rates <= rate / FEWEST_FRAMES)
     if not fits.any():
-        raise FilmError(f"{len(signal)} frames are too few: {FEWEST_BEATS:g} beats of the tail are needed")
+        raise FilmError(
+            f"{len(signal)} frames are too few: {FEWEST_BEATS:g} beats of the tail are needed"
+        )
     return float(rates[fits][np.argmax(power[fits])])

@@ -1,7 +1,7 @@
 """The body that a silhouette from above shows: stations, half-widths; what it cannot show is assumed (FINDINGS 4).
 
-A camera above sees how wide a fish is and how long, never how deep. Depth, tail and fins are those of a fish of streamlined
-shape, such as trouts and sardines; whoever knows better writes it into the species' file.
+A camera above sees how wide a fish is and how long, never how deep. Depth, tail and fins are those of a streamlined
+fish, such as trouts and sardines; whoever knows better writes it into the species' file.
 """
 
 from itertools import product
@@ -13,8 +13,14 @@ from components.arrays import Float64s
 from components.body import Body, Fin
 from tools.video.water.film import STATIONS, Film
 
-DEPTH: Final = (1.5, 1.7, 1.75, 1.8, 2.2)
-"""Height over width at the five stations, assumed."""
+DEPTH: Final = 1.65
+"""Height over width where the body is thickest, assumed ..."""
+
+_SIDE: Final = (
+    (0.0, 0.1, 0.2, 0.32, 0.45, 0.62, 0.8, 0.86),
+    (0.3, 0.62, 0.84, 0.97, 1.0, 0.78, 0.38, 0.33),
+)
+"""... and height along the body over that: deepest behind the middle of the trunk, as streamlined fishes are."""
 
 TAIL_SPAN: Final = 0.115
 """[BL] assumed of the half span of the caudal fin."""
@@ -57,7 +63,8 @@ def body_of(film: Film) -> Body:
     best = min(product(*_PLACES), key=apart)
     half = [min(max(float(np.interp(s, along, wide)), LEAST), MOST) for s in best]
     width = tuple(round(w, 4) for w in half)
-    height = tuple(round(min(w * d, 0.35), 4) for w, d in zip(width, DEPTH, strict=True))
+    deep = DEPTH * max(width)
+    height = tuple(round(min(deep * float(np.interp(s, *_SIDE)), 0.35), 4) for s in best)
     return Body(
         station=best,
         half_width=width,  # type: ignore[arg-type]

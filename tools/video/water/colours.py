@@ -1,7 +1,7 @@
 """A skin from the clip: the fish is laid out straight in some good frames, and what most of them show is its colour.
 
-A view from above shows back and flanks. The belly is assumed lighter, as countershading has it; where the clip is lit from
-behind, so that the fish is but a dark shape, all colours are.
+A view from above shows back and flanks. The belly is assumed lighter, as countershading has it; where the clip is lit
+from behind, so that the fish is but a dark shape, all colours are assumed.
 """
 
 from collections.abc import Iterable, Iterator
@@ -19,7 +19,10 @@ ALONG, ACROSS = 96, 15
 """Points of a fish that is laid out straight: from nose to tail, and from its left to its right."""
 
 SAMPLES: Final = 24
-"""Frames that are looked at."""
+"""Frames that are looked at ..."""
+
+EARLY: Final = 300
+"""... among the first of the good ones."""
 
 DARK, PALE, GREY = 80.0, 12.0, 14.0
 """Levels: a fish whose lightest parts are darker than `DARK`, or which differs from place to place by less than `PALE`
@@ -57,12 +60,14 @@ ASSUMED: Final = Colours(
 
 def chosen(film: Film) -> list[int]:
     """Return the frames of a film whose colours are looked at: good ones, at even steps."""
-    good = np.flatnonzero(film.good)
+    good = np.flatnonzero(film.good)[:EARLY]
     at = np.linspace(0, len(good) - 1, min(SAMPLES, len(good))).round().astype(int)
     return [int(good[i]) for i in at]
 
 
-def straightened(picture: NDArray[np.uint8], axis: Float64s, half_width: Float64s) -> NDArray[np.uint8]:
+def straightened(
+    picture: NDArray[np.uint8], axis: Float64s, half_width: Float64s
+) -> NDArray[np.uint8]:
     """Return a fish laid out straight, from its axis (41, 2) and half-widths (41,) [px] in a picture (h, w, 3).
 
     Left to right, nose to tail: (15, 96, 3).
@@ -73,18 +78,22 @@ def straightened(picture: NDArray[np.uint8], axis: Float64s, half_width: Float64
     at = np.linspace(0.0, STATIONS - 1.0, ALONG)
     stations = np.arange(STATIONS)
     line, side = (
-        np.stack([np.interp(at, stations, part[:, i]) for i in (0, 1)], axis=-1) for part in (axis, right)
+        np.stack([np.interp(at, stations, part[:, i]) for i in (0, 1)], axis=-1)
+        for part in (axis, right)
     )
     out = np.linspace(-0.9, 0.9, ACROSS)
     grid = (line[None] + out[:, None, None] * side[None]).astype(np.float32)
     return np.asarray(cv2.remap(picture, grid[..., 0], grid[..., 1], cv2.INTER_LINEAR), np.uint8)
 
 
-def colours_of(pictures: Iterable[tuple[int, NDArray[np.uint8]]], film: Film, scale: float) -> Colours:
+def colours_of(
+    pictures: Iterable[tuple[int, NDArray[np.uint8]]], film: Film, scale: float
+) -> Colours:
     """Return the colours of a fish. `pictures` are frames' numbers in the film and pictures (h, w, 3), red first, in
     which a pixel of the film is `scale` pixels."""
     laid = [
-        straightened(picture, film.axis[k] * scale, film.half_width[k] * scale) for k, picture in pictures
+        straightened(picture, film.axis[k] * scale, film.half_width[k] * scale)
+        for k, picture in pictures
     ]
     return painted(np.median(np.stack(laid), axis=0)) if laid else ASSUMED
 
@@ -103,7 +112,9 @@ def painted(laid: Float64s) -> Colours:
     bars, dark = _bars(middle.mean(axis=(0, 2)))
     bar = np.median(middle[:, dark], axis=(0, 1)) if dark.any() else back
     tail = np.median(laid[5:10, round(0.9 * ALONG) :], axis=(0, 1))
-    return Colours(_whole(back), _whole(flank), _whole(belly), _whole(tail), bars, _whole(bar), False)
+    return Colours(
+        _whole(back), _whole(flank), _whole(belly), _whole(tail), bars, _whole(bar), False
+    )
 
 
 def _bars(light: Float64s) -> tuple[tuple[tuple[float, float], ...], NDArray[np.bool_]]:

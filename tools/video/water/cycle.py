@@ -1,7 +1,7 @@
 """One clean cycle out of some filmed beats: closed, level, straight, and free of noise (FINDINGS 1 and 4).
 
-All beats of a bout are fitted at once by a drift and four harmonics, so the cycle closes by itself: the drift is the gap
-that is removed, the mean is what levels it. Speed is that of the travel; a fish that holds station in a current is
+All beats of a bout are fitted at once by a drift and four harmonics, so the cycle closes by itself: the drift is the
+gap that is removed, the mean is what levels it. Speed is that of the travel; a fish that holds station in a current is
 taken to go as far in a beat as its tail sweeps, over a Strouhal number of .3.
 """
 
@@ -61,8 +61,11 @@ class Cycle:
         line = np.zeros((len(phase), STATIONS, 2))
         line[:, 1:] = -np.cumsum(steps, axis=1)
         middle = np.einsum("j,njc->nc", self.weight, 0.5 * (line[:, 1:] + line[:, :-1]))
-        at = np.stack((self.stride * phase + _wave(self.surge, phase), _wave(self.sway, phase)), axis=-1)
-        return line + (at - middle)[:, None, :]
+        at = np.stack(
+            (self.stride * phase + _wave(self.surge, phase), _wave(self.sway, phase)), axis=-1
+        )
+        placed: Float64s = line + (at - middle)[:, None, :]
+        return placed
 
     def sweep(self) -> float:
         """Return how far the tail's tip goes from side to side [BL]."""
@@ -96,13 +99,16 @@ def cycle(film: Film, bout: Bout) -> Cycle:
     """Return the cycle of a bout's beats."""
     span = slice(bout.first, bout.stop)
     good = film.good[span].astype(np.float64)
-    times = (np.arange(bout.stop - bout.first) - 0.5 * (bout.stop - bout.first)) / film.rate
+    count = bout.stop - bout.first
+    times: Float64s = (np.arange(count) - 0.5 * count) / film.rate
     pointing = -angles(film)[span]
-    count = min(HARMONICS, int(film.rate / (_FRAMES_A_HARMONIC * bout.frequency)))
-    bends, drift, residual = _fitted(pointing, times, good, bout.frequency, max(count, 1))
+    most = min(HARMONICS, int(film.rate / (_FRAMES_A_HARMONIC * bout.frequency)))
+    bends, drift, residual = _fitted(pointing, times, good, bout.frequency, max(most, 1))
     share = weights(film)
     heading = share @ drift
-    stride, surge, sway = _travel(places(film)[span] * (1.0, -1.0), heading, times, good, bout.frequency, film.rate)
+    stride, surge, sway = _travel(
+        places(film)[span] * (1.0, -1.0), heading, times, good, bout.frequency, film.rate
+    )
     made = Cycle(bout.frequency, stride, False, bends, surge, sway, share, residual)
     if stride >= STATION_STRIDE:
         return made
@@ -144,5 +150,7 @@ def _travel(
     terms, drift, _ = _fitted(both, 0.5 * (times[1:] + times[:-1]), sound, frequency, _OF_TRAVEL)
     # The integral of a cos + b sin of k w t is (a sin - b cos) / (k w).
     rates = 2.0 * np.pi * frequency * np.arange(1, _OF_TRAVEL + 1)
-    summed = np.stack((-terms[:, :_OF_TRAVEL, 1], terms[:, :_OF_TRAVEL, 0]), axis=-1) / rates[:, None]
+    summed = (
+        np.stack((-terms[:, :_OF_TRAVEL, 1], terms[:, :_OF_TRAVEL, 0]), axis=-1) / rates[:, None]
+    )
     return float(drift[0].mean()) / frequency, summed[0], summed[1]

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from components.arrays import Float64s
 from components.fault import FaultError
+from tools.video.motion import Motion
 
 STATIONS = 41
 """Points of an axis, evenly by arc length from nose to tail tip."""
@@ -41,6 +42,14 @@ class Film:
         return float(np.median(np.sqrt((steps**2).sum(axis=2)).sum(axis=1)))
 
 
+def film_of(motion: Motion) -> Film:
+    """Return what the water needs of a motion. Raise FilmError where no frame of it is good."""
+    if not motion.good.any():
+        raise FilmError("no frame of this motion is good")
+    axis, width = motion.axis.astype(np.float64), motion.half_width.astype(np.float64)
+    return Film(motion.rate, axis, width, motion.good)
+
+
 def angles(film: Film) -> Float64s:
     """Return where each of the 40 parts of the axis points, headwards [rad], steady over frames, (F, 40).
 
@@ -55,7 +64,9 @@ def angles(film: Film) -> Float64s:
 
 def weights(film: Film) -> Float64s:
     """Return each part's share of the body's mass, as its width squared, (40,)."""
-    typical = np.median(film.half_width[film.good], axis=0) if film.good.any() else np.ones(STATIONS)
+    typical = (
+        np.median(film.half_width[film.good], axis=0) if film.good.any() else np.ones(STATIONS)
+    )
     share = (0.5 * (typical[1:] + typical[:-1])) ** 2
     whole = float(share.sum())
     even: Float64s = np.full(len(share), 1.0 / len(share))

@@ -1,4 +1,4 @@
-"""Which swims a film gives: the steadiest bout is the cruise, much slower and much faster ones the other gears."""
+"""Which segments a film gives: its steadiest bout is the cruise, much slower and faster ones other gears; and turns."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,6 +10,7 @@ from tools.video.water.beats import STEADY, Bout
 from tools.video.water.cycle import Cycle, cycle
 from tools.video.water.film import Film
 from tools.video.water.lattice import figures_of, loop_of
+from tools.video.water.turns import turns_of
 
 SLOWER: Final = 0.75
 FASTER: Final = 1.3
@@ -30,7 +31,7 @@ class Cut:
 
 
 def gaits_of(film: Film, found: Sequence[Bout], body: Body) -> tuple[list[Cut], Cycle]:
-    """Return the swims that bouts, steadiest first, give, and the cruise as a cycle. It is the first bout's."""
+    """Return the swims that bouts, steadiest first, give, the turns between them, and the cruise, the first's cycle."""
     cruise = cycle(film, found[0])
     cuts = [_cut(cruise, found[0], body, Pattern.SWIM_MEDIUM)]
     for pattern, lowest, highest in (
@@ -43,6 +44,8 @@ def gaits_of(film: Film, found: Sequence[Bout], body: Body) -> tuple[list[Cut], 
                 if (other.speed < cruise.speed) == (pattern is Pattern.SWIM_SLOW):
                     cuts.append(_cut(other, bout, body, pattern))
                     break
+    turns = turns_of(film, cruise.frequency, body, cuts[0].segment)
+    cuts += [Cut(segment, figures, at.first, at.stop) for segment, figures, at in turns]
     return cuts, cruise
 
 

@@ -59,11 +59,15 @@ def joined(
     pace = 1.0
     if Pattern.SWIM_MEDIUM in ours:
         pace = mean_speed(ours[Pattern.SWIM_MEDIUM]) / mean_speed(theirs[Pattern.SWIM_MEDIUM])
-    whole = {p: replace(s, translation=pace * s.translation, control=None) for p, s in theirs.items()} | ours
+    whole = {
+        p: replace(s, translation=pace * s.translation, control=None) for p, s in theirs.items()
+    } | ours
     names = {pattern.name.lower() for pattern in ours}
     told = {k: v for k, v in captured.provenance.items() if not _about(k, names)}
     told["warnings"] = "; ".join(
-        w for w in captured.provenance["warnings"].split("; ") if w and w.partition(":")[0] not in names
+        w
+        for w in captured.provenance["warnings"].split("; ")
+        if w and w.partition(":")[0] not in names
     )
     told |= notes | {
         FILMED: " ".join(sorted(names)),

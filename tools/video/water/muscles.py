@@ -52,7 +52,11 @@ def muscles_for(body: Body, cycle: Cycle) -> Muscles | None:
     sweep, head = cycle.sweep(), cycle.head_sweep()
 
     def cost(place: Float64s) -> float:
-        outside = float((np.maximum(_LEAST - place, 0.0) / _SCALE + np.maximum(place - _MOST, 0.0) / _SCALE).sum())
+        outside = float(
+            (
+                np.maximum(_LEAST - place, 0.0) / _SCALE + np.maximum(place - _MOST, 0.0) / _SCALE
+            ).sum()
+        )
         figures = _figures(*_muscles(body, frequency, place))
         if figures is None:
             return _FAILED + outside

@@ -7,7 +7,7 @@ from components.repertoire import Pattern, Repertoire, Segment
 from tools.capture.capture import Progress, capture
 from tools.video.water.beats import bouts
 from tools.video.water.body import body_of
-from tools.video.water.cycle import Cycle, cycle
+from tools.video.water.cycle import Cycle
 from tools.video.water.film import Film, FilmError
 from tools.video.water.gaits import Cut, gaits_of
 from tools.video.water.joining import joined
@@ -40,7 +40,9 @@ def species_of(film: Film, source: str, progress: Progress) -> FilmedSpecies:
     if muscles is None:
         raise FilmError("no muscles were found that make a body of this shape swim")
     try:
-        captured = capture(muscles.body, muscles.swim, lambda done, what: progress(0.3 + 0.7 * done, what))
+        captured = capture(
+            muscles.body, muscles.swim, lambda done, what: progress(0.3 + 0.7 * done, what)
+        )
     except (ValueError, ArithmeticError) as error:
         raise FilmError(f"a body of this shape does not swim: {error}") from None
     segments = [cut.segment for cut in cuts]
@@ -63,12 +65,16 @@ def _said(cuts: list[Cut], made: Repertoire, cruise: Cycle) -> list[str]:
     others = [s.pattern for s in made.segments if s.pattern not in filmed]
     lines = [f"from the clip: {_words(cut.segment)}, {cut.figures}" for cut in cuts]
     if others:
-        lines.append(f"from muscles of the same body: {', '.join(p.name.lower().replace('_', ' ') for p in others)}")
+        lines.append(
+            f"from muscles of the same body: {', '.join(p.name.lower().replace('_', ' ') for p in others)}"
+        )
     if cruise.assumed:
         lines.append(
-            f"assumed: {cruise.speed:.2f} BL/s, for the fish held station; its tail sweeps .3 of what it swims in a beat"
+            f"assumed: {cruise.speed:.2f} BL/s, for it held station; its tail sweeps .3 of what it swims in a beat"
         )
-    lines.append("assumed: how deep the body is, its fins and its tail's span, which a view from above does not show")
+    lines.append(
+        "assumed: how deep the body is, its fins and its tail's span, which a view from above does not show"
+    )
     return lines
 
 

@@ -4,13 +4,15 @@ from components.body import Body, Fin, Swim
 from tools.video.water.colours import Colour, Colours
 
 
-def species_text(title: str, size_cm: float, body: Body, swim: Swim, colours: Colours, source: str) -> str:
+def species_text(
+    title: str, size_cm: float, body: Body, swim: Swim, colours: Colours, source: str
+) -> str:
     """Return the YAML of a species file."""
     return "\n".join(
         [
             f"# {title}, filmed: its beats, its outline from above and what colours there were come from a clip.",
-            "# What is marked `assumed` the clip could not show: change it as you know better. The filmed motion lies in",
-            "# repertoires/, fits itself to the body that stands here, and stays.",
+            "# What is marked `assumed` the clip could not show: change it as you know better. The filmed motion lies",
+            "# in repertoires/, fits itself to the body that stands here, and stays.",
             "",
             f"title: {_quoted(title)}",
             "role: pacifist                # prey, predator or pacifist",
@@ -62,7 +64,7 @@ def level_text(name: str, count: int = 8) -> str:
             "# A group of this fish in first_dive, ahead of where the submarine starts, beside all that live there.",
             "overrides: first_dive",
             "more_fishes:",
-            f"  - {{species: {name}, count: {count}, around_m: [-19.6, -0.5, -9.7], within_m: 0.9}}",
+            f"  - {{species: {name}, count: {count}, around_m: [-21.0, -0.4, -9.6], within_m: 0.8}}",
             "",
         ]
     )
@@ -82,13 +84,19 @@ def _fin_lines(body: Body) -> list[str]:
     return [
         "fins:                         # assumed",
         f"  tail: {{half_span_bl: {body.tail_span}, fork_bl: {body.tail_fork}}}",
-        *(f"  {name}: {_fin(fin)}" for name, fin in (("dorsal", body.dorsal), ("anal", body.anal)) if fin),
+        *(
+            f"  {name}: {_fin(fin)}"
+            for name, fin in (("dorsal", body.dorsal), ("anal", body.anal))
+            if fin
+        ),
         f"  pectoral: {{at_bl: {body.pectoral_at}, length_bl: {body.pectoral_length}, height: {body.pectoral_height}}}",
     ]
 
 
 def _fin(fin: Fin) -> str:
-    return f"{{from_bl: {fin.start}, to_bl: {fin.end}, height_bl: {fin.height}, lean_bl: {fin.lean}}}"
+    return (
+        f"{{from_bl: {fin.start}, to_bl: {fin.end}, height_bl: {fin.height}, lean_bl: {fin.lean}}}"
+    )
 
 
 def _skin_lines(colours: Colours) -> list[str]:
