@@ -194,7 +194,12 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
 
 def _add_video(commands: "_Commands[argparse.ArgumentParser]") -> None:
     video = commands.add_parser("video", help="take a fish's motion from a clip")
-    video.add_argument("clip", type=Path, metavar="CLIP", help="a film of a fish from above")
+    video.add_argument(
+        "clip",
+        type=Path,
+        metavar="CLIP",
+        help="a film of a fish from above; with --species also a .motion",
+    )
     video.add_argument("-o", "--output", type=Path, metavar="OUT.motion", help="where it goes")
     rate = video.add_mutually_exclusive_group()
     rate.add_argument(
@@ -437,11 +442,21 @@ def _video(options: argparse.Namespace) -> int:
         raise InputError("--length-cm needs --species")
     if options.species is not None:
         check_species(options.species)
+        if options.clip.suffix == ".motion":
+            return _from_motion(options)
     choices = Choices(options.background, options.select, options.fps, options.hz)
     followed = film_to_motion(Request(options.clip, options.output, options.report), choices)
     if options.species is not None:
         motion = followed.assembled.motion
         write_species(motion, options.clip, options.species, options.length_cm or _USUAL_LENGTH)
+    return 0
+
+
+def _from_motion(options: argparse.Namespace) -> int:
+    from reefgame.filmed import write_species
+    from tools.video.motion_file import load
+
+    write_species(load(options.clip), None, options.species, options.length_cm or _USUAL_LENGTH)
     return 0
 
 

@@ -25,6 +25,12 @@ if TYPE_CHECKING:
 SHORTEST, LONGEST = 1.0, 2000.0
 """[cm] of a fish."""
 
+_BEATS = 1.6
+"""Beats a second of a fish of one metre that cruises; they go with the root of its length (FINDINGS 1b, the nine)."""
+
+_FAR = 3.0
+"""Times more or fewer beats than usual that are believed."""
+
 
 def check_species(name: str, folder: Path = Path()) -> None:
     """Raise InputError, one line, where no mod `name` can be made in `folder`."""
@@ -63,6 +69,7 @@ def write_species(
         colours = _colours(film, motion, clip, report)
         target = _written(_texts(name, length_cm, made, colours, source), made, folder / name)
     _tell(made, colours, target)
+    _doubt(made.cruise.frequency, length_cm)
     return target
 
 
@@ -128,7 +135,17 @@ def _tell(made: "FilmedSpecies", colours: "Colours", target: Path) -> None:
     for line in made.said:
         say(line)
     if colours.assumed:
-        say("assumed: colours; the clip shows but a dark shape")
+        say("assumed: its colours, of which there are none to see")
     for warning in filter(None, made.repertoire.provenance["warnings"].split("; ")):
         complain(f"{target.name}: warning: {warning}")
     say(f"{target}: play it with: reefgame play first_dive --mod {target}")
+
+
+def _doubt(frequency: float, length_cm: float) -> None:
+    """Say so where a fish of this length hardly beats its tail so often: films often hide their camera's rate."""
+    usual = _BEATS / (length_cm / 100.0) ** 0.5
+    if not usual / _FAR <= frequency <= usual * _FAR:
+        complain(
+            f"warning: {frequency:.2f} beats a second are odd for a fish of {length_cm:g} cm, about {usual:.1f} are "
+            "usual: if the file does not hold the camera's rate, say --fps or --hz"
+        )

@@ -100,7 +100,7 @@ def cycle(film: Film, bout: Bout) -> Cycle:
     span = slice(bout.first, bout.stop)
     good = film.good[span].astype(np.float64)
     count = bout.stop - bout.first
-    times: Float64s = (np.arange(count) - 0.5 * count) / film.rate
+    times = (np.arange(count, dtype=np.float64) - 0.5 * count) / film.rate
     pointing = -angles(film)[span]
     most = min(HARMONICS, int(film.rate / (_FRAMES_A_HARMONIC * bout.frequency)))
     bends, drift, residual = _fitted(pointing, times, good, bout.frequency, max(most, 1))

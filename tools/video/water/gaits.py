@@ -28,6 +28,8 @@ class Cut:
     "frame of the film"
     stop: int
     "the frame after its last"
+    faults: tuple[str, ...] = ()
+    "what is unlike a living fish, a phrase each"
 
 
 def gaits_of(film: Film, found: Sequence[Bout], body: Body) -> tuple[list[Cut], Cycle]:
@@ -52,4 +54,5 @@ def gaits_of(film: Film, found: Sequence[Bout], body: Body) -> tuple[list[Cut], 
 def _cut(swum: Cycle, bout: Bout, body: Body, pattern: Pattern) -> Cut:
     figures = figures_of(swum, body)
     text = f"{figures.text()}, wavelength {swum.wavelength():.2f} BL"
-    return Cut(loop_of(swum, body, pattern), text, bout.first, bout.stop)
+    faults = tuple(figures.faults())
+    return Cut(loop_of(swum, body, pattern), text, bout.first, bout.stop, faults)

@@ -6,7 +6,7 @@ captured anew (reefgame/content/repertoires.py).
 """
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import astuple, replace
 from typing import Final
 
@@ -24,6 +24,9 @@ FILMED_WITH: Final = "filmed_with"
 
 FILMED_AT: Final = "filmed_at"
 """Note of the five stations of the body that filmed segments were made for [BL]."""
+
+FILMED_PACE: Final = "filmed_pace"
+"""Note of what the strides of all other segments were scaled by."""
 
 _CORNERS: Final = ((1, -1), (1, 1), (-1, 1), (-1, -1))
 """Up and right of a ring's nodes, in ring order."""
@@ -49,10 +52,11 @@ def print_of(body: Body, swim: Swim) -> str:
 def joined(
     filmed: Sequence[Segment], notes: dict[str, str], captured: Repertoire, body: Body, swim: Swim
 ) -> Repertoire:
-    """Return a captured repertoire with filmed segments in place of its own; `notes` tell of these.
+    """Return a captured repertoire with filmed segments in place of its own.
 
-    Muscles rarely come to the filmed speed exactly. Their strides are scaled by what they miss at cruise, so that gears
-    keep their order.
+    `notes` tell of these; under "warnings" what is unlike a living fish, each with the segment's name before it.
+    Muscles rarely come to the filmed speed exactly: their strides are scaled by what they miss at cruise, so that
+    gears keep their order.
     """
     ours = {segment.pattern: segment for segment in filmed}
     theirs = {segment.pattern: segment for segment in captured.segments}
@@ -61,20 +65,28 @@ def joined(
         pace = mean_speed(ours[Pattern.SWIM_MEDIUM]) / mean_speed(theirs[Pattern.SWIM_MEDIUM])
     whole = {
         p: replace(s, translation=pace * s.translation, control=None) for p, s in theirs.items()
-    } | ours
+    }
+    whole |= ours
     names = {pattern.name.lower() for pattern in ours}
     told = {k: v for k, v in captured.provenance.items() if not _about(k, names)}
-    told["warnings"] = "; ".join(
-        w
-        for w in captured.provenance["warnings"].split("; ")
-        if w and w.partition(":")[0] not in names
-    )
     told |= notes | {
+        "warnings": "; ".join(_warnings(captured, names, False) + _warnings_in(notes)),
         FILMED: " ".join(sorted(names)),
         FILMED_WITH: print_of(body, swim),
         FILMED_AT: " ".join(repr(at) for at in body.station),
+        FILMED_PACE: repr(pace),
     }
     return Repertoire(tuple(whole[p] for p in sorted(whole)), told)
+
+
+def _warnings_in(notes: Mapping[str, str]) -> list[str]:
+    return [warning for warning in notes.get("warnings", "").split("; ") if warning]
+
+
+def _warnings(repertoire: Repertoire, names: set[str], wanted: bool) -> list[str]:
+    """Return the warnings about segments that are, or are not, among `names`."""
+    every = _warnings_in(repertoire.provenance)
+    return [one for one in every if (one.partition(":")[0] in names) is wanted]
 
 
 def _about(key: str, names: set[str]) -> bool:
@@ -93,6 +105,7 @@ def rejoined(old: Repertoire, captured: Repertoire, body: Body, swim: Swim) -> R
         raise ValueError(f"the note {FILMED_AT} holds no {RINGS} stations")
     filmed = [refitted(s, stations, body) for s in old.segments if s.pattern.name.lower() in names]
     notes = {key: text for key, text in old.provenance.items() if _about(key, names)}
+    notes["warnings"] = "; ".join(_warnings(old, names, True))
     return joined(filmed, notes, captured, body, swim)
 
 

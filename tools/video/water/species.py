@@ -52,12 +52,14 @@ def species_of(film: Film, source: str, progress: Progress) -> FilmedSpecies:
 
 
 def _notes(cuts: list[Cut], source: str) -> dict[str, str]:
-    notes = {}
+    notes: dict[str, str] = {}
+    warnings: list[str] = []
     for cut in cuts:
         name = cut.segment.pattern.name.lower()
         notes[name] = cut.figures
         notes[f"{name}_from"] = f"{source}, frames {cut.first} to {cut.stop - 1}"
-    return notes
+        warnings += [f"{name}: {fault}" for fault in cut.faults]
+    return notes | {"warnings": "; ".join(warnings)}
 
 
 def _said(cuts: list[Cut], made: Repertoire, cruise: Cycle) -> list[str]:

@@ -101,7 +101,7 @@ def _fin(fin: Fin) -> str:
 
 def _skin_lines(colours: Colours) -> list[str]:
     shades = (colours.belly, _between(colours.belly, colours.flank), colours.flank, colours.back)
-    told = "# Colours are assumed: the clip shows but a dark shape." if colours.assumed else ""
+    told = "# Colours are assumed: there were none to see." if colours.assumed else ""
     lines = [
         told or "# Back and flanks have the clip's colours; the belly is assumed lighter.",
         "skin:",

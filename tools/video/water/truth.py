@@ -1,5 +1,7 @@
 """Films with known truth, without a picture: a captured swim's axis as a camera above would have measured it."""
 
+from typing import Final
+
 import numpy as np
 
 from components.arrays import Float64s
@@ -8,7 +10,8 @@ from components.segment import Segment
 from tools.capture.report.silhouette import silhouette_of
 from tools.video.water.film import STATIONS, Film
 
-PIXELS = 300.0
+PIXELS: Final = 300.0
+"""Length of a fish that does not swim."""
 
 
 def filmed(
@@ -29,7 +32,7 @@ def filmed(
     part = (ticks - before)[:, None, None]
     axis = (1.0 - part) * line[before] + part * line[before + 1]
     axis = _resampled(axis)
-    angle: Float64s = heading + circling * np.arange(frames) / rate
+    angle = heading + circling / rate * np.arange(frames, dtype=np.float64)
     axis = _circled(axis, angle)
     axis = PIXELS * axis * (1.0, -1.0) + (500.0, 300.0) + noise * chance.normal(size=axis.shape)
     at = np.linspace(0.0, 1.0, STATIONS)
@@ -42,9 +45,7 @@ def centre_lines(
 ) -> Float64s:
     """Return the centre line at each tick, x ahead, y left [BL], (frames, 41, 2)."""
     middle = silhouette_of(body).middle
-    rotation, origin, lines = np.eye(3), np.zeros(3), []
-    course = _mean_course(segment)
-    rotation = course
+    rotation, origin, lines = _mean_course(segment), np.zeros(3), []
     for k in range(frames):
         entry = k % len(segment.shape)
         origin = origin + rotation @ segment.translation[entry]
