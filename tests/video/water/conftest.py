@@ -1,6 +1,7 @@
 """Filmed fishes with known truth: our own species' captured swims, without pictures."""
 
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -21,10 +22,12 @@ ASSETS = Path(str(assets.__file__)).parent
 FilmOf = Callable[..., Film]
 
 
+@cache
 def _body(name: str) -> Body:
     return body_of(read_species(ASSETS / "species" / f"{name}.yaml")[1])
 
 
+@cache
 def _repertoire(name: str) -> Repertoire:
     return load(ASSETS / "repertoires" / f"{name}.npz")
 

@@ -23,7 +23,7 @@ def test_the_frequency_is_right_to_one_in_a_hundred(
     assert bouts(shown)[0].frequency == pytest.approx(truth, rel=0.01)
 
 
-@settings(max_examples=15)
+@settings(max_examples=10)
 @given(circling=st.floats(-0.6, 0.6), heading=st.floats(-3.1, 3.1))
 def test_turning_as_a_whole_changes_no_frequency(
     film: FilmOf, circling: float, heading: float
@@ -72,7 +72,7 @@ def test_the_steadiest_bout_comes_first(film: FilmOf) -> None:
 
 
 @given(heading=st.floats(-20.0, 20.0))
-@settings(max_examples=20)
+@settings(max_examples=12)
 def test_angles_are_steady_over_frames_and_along_the_axis(film: FilmOf, heading: float) -> None:
     found = angles(film("sardine", frames=40, circling=6.0, heading=heading))
     assert np.abs(np.diff(found, axis=0)).max() < 1.0

@@ -43,7 +43,7 @@ def test_sweep_speed_and_wave_are_those_of_the_swim(
     assert 0.8 < found.wavelength() < 1.5
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(
     heading=st.floats(-3.0, 3.0),
     scale=st.floats(0.2, 5.0),

@@ -21,6 +21,9 @@ BOUT_BEATS: Final = 4.0
 _HOP: Final = 0.5
 """... and from one bout to the next."""
 
+MOST_BOUTS: Final = 120
+"""Bouts of a long film that are looked at, evenly spread."""
+
 FEWEST_FRAMES: Final = 4.5
 """Frames that a beat must last: fewer do not tell one shape from the next."""
 
@@ -58,7 +61,7 @@ def bouts(film: Film) -> list[Bout]:
         raise FilmError("the fish hardly bends: there is no beat of the tail to take")
     typical = _typical(signal, good, film.rate)
     frames = min(len(signal), round(BOUT_BEATS * film.rate / typical))
-    hop = max(1, round(_HOP * film.rate / typical))
+    hop = max(1, round(_HOP * film.rate / typical), (len(signal) - frames) // MOST_BOUTS)
     found = []
     for first in range(0, len(signal) - frames + 1, hop):
         span = slice(first, first + frames)
