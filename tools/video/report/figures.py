@@ -22,9 +22,9 @@ _GRID: Final = "stroke='#d5e4ea' stroke-width='1'"
 _MOST_COLUMNS: Final = 2000
 
 
-def kymograph(motion: Motion) -> Drawing:
+def kymograph(motion: Motion, period: float) -> Drawing:
     """Return the midline's sideways place by colour, time to the right and head at the top."""
-    wave = sideways(motion)
+    wave = sideways(motion, period)
     most = max(float(np.quantile(np.abs(wave), 0.995)), 1e-3)
     height = 210.0
     drawing = _sheet(height)
@@ -40,9 +40,8 @@ def kymograph(motion: Motion) -> Drawing:
     drawing.text(8, _TOP + 12, "head")
     drawing.text(8, _TOP + tall, "tail")
     _seconds(drawing, motion, _TOP + tall)
-    drawing.text(
-        WIDTH - 10, height - 4, f"red: right, blue: left, to {most:.2f} BL", "text-anchor='end'"
-    )
+    told = f"red: to the fish's right, blue: to its left, up to {most:.2f} BL"
+    drawing.text(0.5 * WIDTH, _TOP + tall + 20, told, "text-anchor='middle'")
     return drawing
 
 
@@ -56,9 +55,9 @@ def _coloured(part: Float64s) -> bytes:
     return bytes(cv2.imencode(".png", bgr.round().astype(np.uint8))[1])
 
 
-def envelope_figure(motion: Motion) -> Drawing:
+def envelope_figure(motion: Motion, period: float) -> Drawing:
     """Return half of the sweep along the body."""
-    half = envelope(motion)
+    half = envelope(motion, period)
     height = 200.0
     drawing = _sheet(height)
     top = max(0.05, float(half.max()) * 1.1)
@@ -68,9 +67,9 @@ def envelope_figure(motion: Motion) -> Drawing:
         drawing.line(_LEFT, y, _LEFT + wide, y, _GRID)
         drawing.text(_LEFT - 6, y + 4, f"{tick:.2f}", "text-anchor='end'")
     s = np.linspace(0.0, 1.0, len(half))
-    carp = 0.02 - 0.0825 * s + 0.1625 * s**2
+    living = 0.02 - 0.0825 * s + 0.1625 * s**2
     for line, style in (
-        (carp, "stroke='#9fb4bf' stroke-dasharray='5 4'"),
+        (living, "stroke='#9fb4bf' stroke-dasharray='5 4'"),
         (half, f"stroke='{_INK}' stroke-width='2'"),
     ):
         places = np.stack((_LEFT + wide * s, _TOP + tall * (1.0 - np.minimum(line / top, 1.0))), -1)
@@ -104,26 +103,18 @@ def beats_figure(assembled: Assembled) -> Drawing:
         for at, value in zip(x[bad].tolist(), swing[bad].tolist(), strict=True):
             drawing.dot(at, _TOP + tall * (0.5 - 0.5 * value / most), 2.5, f"fill='{_BAD}'")
     if isfinite(beat.period):
-        drawing.text(
-            WIDTH - 10,
-            height - 4,
-            f"a beat in {beat.period:.2f} frames, {motion.rate / beat.period:.2f} a second, {beat.beats:.1f} beats",
-            "text-anchor='end'",
-        )
+        told = f"a beat in {beat.period:.2f} frames, {motion.rate / beat.period:.2f} a second, {beat.beats:.1f} beats"
+        drawing.text(0.5 * WIDTH, _TOP + tall + 20, told, "text-anchor='middle'")
     _seconds(drawing, motion, _TOP + tall)
     return drawing
 
 
 def _seconds(drawing: Drawing, motion: Motion, y: float) -> None:
-    last = motion.count / motion.rate
+    """Write when and in which frames a figure begins and ends, under its corners."""
+    last = motion.first + motion.count - 1
     drawing.text(_LEFT, y + 20, f"{motion.first / motion.rate:.2f} s, frame {motion.first}")
-    middle = 0.5 * (_LEFT + WIDTH)
-    end = motion.first + motion.count - 1
     drawing.text(
-        middle,
-        y + 20,
-        f"to {motion.first / motion.rate + last:.2f} s, frame {end}",
-        "text-anchor='middle'",
+        WIDTH - 10, y + 20, f"{last / motion.rate:.2f} s, frame {last}", "text-anchor='end'"
     )
 
 

@@ -45,10 +45,12 @@ def page(followed: Followed) -> str:
             f"<section><h2>What was seen</h2><video controls loop muted src='{FILM}'></video>",
             f"<p class='caption'>{_COLOURS}</p></section>",
             "<section><h2>The midline over time</h2>",
-            kymograph(motion).svg("kymograph of the midline"),
+            kymograph(motion, followed.assembled.beat.period).svg("kymograph of the midline"),
             f"<p class='caption'>{_KYMOGRAPH}</p>",
             "<h3>Envelope</h3>",
-            envelope_figure(motion).svg("half of the sweep along the body"),
+            envelope_figure(motion, followed.assembled.beat.period).svg(
+                "half of the sweep along the body"
+            ),
             "<h3>Beats of the tail</h3>",
             beats_figure(followed.assembled).svg("the tail tip's swing"),
             "</section><section><h2>How it was measured</h2>",
