@@ -456,6 +456,8 @@ def _from_motion(options: argparse.Namespace) -> int:
     from reefgame.filmed import write_species
     from tools.video.motion_file import load
 
+    if any((options.output, options.fps, options.hz, options.select, options.report)):
+        raise InputError(f"{options.clip}: -o, --fps, --hz, --select and --report need a clip")
     write_species(load(options.clip), None, options.species, options.length_cm or _USUAL_LENGTH)
     return 0
 

@@ -180,6 +180,8 @@ def test_a_motion_file_serves_in_place_of_a_clip(
     save(Path("still.motion"), motion(replace(shown, axis=np.repeat(shown.axis[:1], 30, axis=0))))
     assert main(["video", "still.motion", "--species", "still"]) == 1
     assert "hardly bends" in capsys.readouterr().err
+    assert main(["video", "still.motion", "--species", "still", "--fps", "50"]) == 1
+    assert "need a clip" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("length", ["0", "-3", "3000", "long"])
