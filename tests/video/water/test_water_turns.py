@@ -87,3 +87,14 @@ def test_the_slow_heading_has_no_beat_in_it(
     np.testing.assert_allclose(
         np.diff(heading) * 60.0, 0.3 * np.sign(np.diff(heading)[0]), atol=0.01
     )
+
+
+def test_a_leap_of_the_film_is_no_turn(body: Callable[[str], Body], segments: Segments) -> None:
+    swim = segments("sardine")[Pattern.SWIM_MEDIUM]
+    shown = filmed(body("sardine"), swim, frames=150)
+    later = filmed(body("sardine"), swim, frames=150, heading=1.2)
+    axis = np.concatenate((shown.axis[:75], later.axis[75:]))
+    leapt = replace(shown, axis=axis)
+    cuts, _ = gaits_of(leapt, bouts(leapt), body("sardine"))
+    assert swings(leapt, 4.0, QUICK) != []
+    assert [cut.segment.pattern for cut in cuts] == [Pattern.SWIM_MEDIUM]

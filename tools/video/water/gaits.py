@@ -46,7 +46,8 @@ def gaits_of(film: Film, found: Sequence[Bout], body: Body) -> tuple[list[Cut], 
                 if (other.speed < cruise.speed) == (pattern is Pattern.SWIM_SLOW):
                     cuts.append(_cut(other, bout, body, pattern))
                     break
-    turns = turns_of(film, cruise.frequency, body, cuts[0].segment)
+    # In a current the picture does not show how a fish moves through the water.
+    turns = [] if cruise.assumed else turns_of(film, cruise.frequency, body, cuts[0].segment)
     cuts += [Cut(segment, figures, at.first, at.stop) for segment, figures, at in turns]
     return cuts, cruise
 

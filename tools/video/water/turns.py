@@ -14,7 +14,7 @@ from scipy.interpolate import CubicSpline
 from components.arrays import Float64s
 from components.body import Body
 from components.clock import TICKS_PER_SECOND
-from components.segment import Pattern, Segment
+from components.segment import Pattern, Segment, mean_speed
 from components.trigonometry import DEGREE
 from tools.capture.bend import JOINT_LIMIT, SHARP_LEAST, largest_joint
 from tools.capture.cut import cut
@@ -37,6 +37,13 @@ QUICK: Final = Pace(45.0 * DEGREE, 1.2)
 
 SHORTEST: Final = 0.25
 """[s] that a turn lasts."""
+
+SLOWEST: Final = 0.1
+"""[BL/s] ahead that a fish keeps in a turn."""
+
+JUMP: Final = 6.0
+JUMP_LEAST: Final = 0.005
+"""Times a usual step, and [BL] beside it, beyond which a step is a jump."""
 
 NEAR: Final = 0.03
 """[BL] from the cruise's shape at which a turn may end."""
@@ -133,8 +140,16 @@ def _tries(film: Film, frequency: float, pace: Pace, body: Body, cruise: Segment
         near = np.flatnonzero(gaps[early:] <= max(NEAR, 1.2 * float(gaps[early:].min())))
         length = early + int(near[0]) + 1
         made = cut(run, Pattern.TURN_LEFT, 0, length, False)
+        if _jumps(made) or mean_speed(made) < SLOWEST:
+            continue
         turned = swing._replace(stop=swing.first + round(length * film.rate / TICKS_PER_SECOND) + 1)
         yield _Try(made, float(gaps[length - 1]), _net(film, frequency, turned), turned)
+
+
+def _jumps(segment: Segment) -> bool:
+    """Return whether a fish is suddenly elsewhere, as where frames of the film are missing."""
+    steps = np.sqrt((segment.translation**2).sum(axis=1))
+    return bool(steps.max() > JUMP * (float(np.median(steps)) + JUMP_LEAST))
 
 
 def _net(film: Film, frequency: float, swing: Swing) -> float:
