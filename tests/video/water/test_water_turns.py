@@ -1,4 +1,4 @@
-"""Turns cut out of a film: found, mirrored where they go right, and ended where the fish is in its beat again."""
+"""Gears and turns cut out of a film: found, mirrored where they go right, ended where the fish is in its beat again."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from components.body import Body
-from components.segment import Pattern, Segment, heading_change, mirrored
+from components.segment import Pattern, Segment, heading_change, mean_speed, mirrored
 from tools.video.water.beats import bouts
 from tools.video.water.film import Film
 from tools.video.water.gaits import gaits_of
@@ -98,3 +98,26 @@ def test_a_leap_of_the_film_is_no_turn(body: Callable[[str], Body], segments: Se
     cuts, _ = gaits_of(leapt, bouts(leapt), body("sardine"))
     assert swings(leapt, 4.0, QUICK) != []
     assert [cut.segment.pattern for cut in cuts] == [Pattern.SWIM_MEDIUM]
+
+
+def test_much_faster_and_slower_beats_are_other_gears(
+    body: Callable[[str], Body], segments: Segments
+) -> None:
+    held = segments("sardine")
+    slow, cruise, fast = (
+        held[p] for p in (Pattern.SWIM_SLOW, Pattern.SWIM_MEDIUM, Pattern.SWIM_FAST)
+    )
+    parts = [*[slow] * 7, *[cruise] * 16, *[fast] * 12]
+    outing = Segment(
+        Pattern.SWIM_MEDIUM,
+        False,
+        np.concatenate([part.rotation for part in parts]),
+        np.concatenate([part.translation for part in parts]),
+        np.concatenate([part.shape for part in parts]),
+    )
+    shown = filmed(body("sardine"), outing, frames=len(outing.shape) - 6)
+    cuts, usual = gaits_of(shown, bouts(shown), body("sardine"))
+    found = {cut.segment.pattern: mean_speed(cut.segment) for cut in cuts}
+    assert usual.frequency == pytest.approx(4.0, rel=0.01)
+    for part in (slow, cruise, fast):
+        assert found[part.pattern] == pytest.approx(mean_speed(part), rel=0.08)

@@ -1,4 +1,4 @@
-"""Which segments a film gives: its steadiest bout is the cruise, much slower and faster ones other gears; and turns."""
+"""Which segments a film gives: as cruise the steadiest of the usual bouts, much slower and faster ones, and turns."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -32,10 +32,22 @@ class Cut:
     "what is unlike a living fish, a phrase each"
 
 
+def usual_bout(found: Sequence[Bout]) -> Bout:
+    """Return the first of bouts, steadiest first, whose frequency is about the median of the steady ones."""
+    steady = sorted(bout.frequency for bout in found if bout.steadiness >= STEADY)
+    middle = steady[len(steady) // 2]
+    return next(
+        bout
+        for bout in found
+        if bout.steadiness >= STEADY and SLOWER * middle <= bout.frequency <= FASTER * middle
+    )
+
+
 def gaits_of(film: Film, found: Sequence[Bout], body: Body) -> tuple[list[Cut], Cycle]:
-    """Return the swims that bouts, steadiest first, give, the turns between them, and the cruise, the first's cycle."""
-    cruise = cycle(film, found[0])
-    cuts = [_cut(cruise, found[0], body, Pattern.SWIM_MEDIUM)]
+    """Return the swims that bouts, steadiest first, give, the turns between them, and the cruise's cycle."""
+    usual = usual_bout(found)
+    cruise = cycle(film, usual)
+    cuts = [_cut(cruise, usual, body, Pattern.SWIM_MEDIUM)]
     for pattern, lowest, highest in (
         (Pattern.SWIM_SLOW, 0.0, SLOWER * cruise.frequency),
         (Pattern.SWIM_FAST, FASTER * cruise.frequency, float("inf")),
