@@ -1,11 +1,12 @@
 """`reefgame capture`: runs the muscle model of each species given and writes its repertoire."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
 from components.repertoire import Repertoire
-from components.repertoire_file import save
+from components.repertoire_file import RepertoireError, load, save
 from reefgame.console import InputError, Report, complain, progress_bar, say
 from reefgame.content import read_species
 from reefgame.content.anatomy import UNTUNED, body_of, swim_of
@@ -15,6 +16,7 @@ from reefgame.content.yaml_marks import shown
 from reefgame.motion_report import PAGE, write_report
 from reefgame.output import check_output, replacing, unwritable
 from reefgame.tuning import Tuning, tuned
+from tools.video.water.joining import is_filmed
 
 
 def capture_files(
@@ -36,6 +38,7 @@ def capture_files(
         _check_tuned(files)
     for path in paths:
         _prepare(_target(path, output))
+        _check_not_filmed(_target(path, output))
     if report is not None:
         _prepare(report / PAGE)
     captured = _captured(files) if tuning is None else tuned(list(files.items()), tuning)
@@ -52,6 +55,15 @@ def _check_tuned(files: Mapping[Path, SpeciesFile]) -> None:
     for path, file in files.items():
         if file.swim is None:
             raise Mark(shown(path)).error(f"this species {UNTUNED} {shown(path)}")
+
+
+def _check_not_filmed(target: Path) -> None:
+    """Refuse to replace motion that came from a clip: muscles could not give it back."""
+    with suppress(RepertoireError):
+        if is_filmed(load(target)):
+            raise InputError(
+                f"{target}: holds motion from a clip, which a capture would replace: take it away first, or use -o DIR"
+            )
 
 
 def _target(path: Path, output: Path | None) -> Path:

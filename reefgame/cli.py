@@ -18,6 +18,8 @@ from reefgame.console import InputError, complain, open_streams, progress_bar, s
 _LARGEST_SIDE = 16_384
 _LARGEST_SEED = 2**62
 _MOST_JOBS = 1000
+_USUAL_LENGTH = 25.0
+"""[cm] of a filmed fish whose length nobody said."""
 _NEGATIVE = (
     "--from",
     "--at",
@@ -195,7 +197,12 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
 
 def _add_video(commands: "_Commands[argparse.ArgumentParser]") -> None:
     video = commands.add_parser("video", help="take a fish's motion from a clip")
-    video.add_argument("clip", type=Path, metavar="CLIP", help="a film of a fish from above")
+    video.add_argument(
+        "clip",
+        type=Path,
+        metavar="CLIP",
+        help="a film of a fish from above; with --species also a .motion",
+    )
     video.add_argument("-o", "--output", type=Path, metavar="OUT.motion", help="where it goes")
     rate = video.add_mutually_exclusive_group()
     rate.add_argument(
@@ -215,6 +222,15 @@ def _add_video(commands: "_Commands[argparse.ArgumentParser]") -> None:
     )
     video.add_argument(
         "--report", type=Path, metavar="DIR", help="a page with a film and figures, index.html"
+    )
+    video.add_argument(
+        "--species", metavar="NAME", help="make a mod NAME of it: the fish as a species, to play"
+    )
+    video.add_argument(
+        "--length-cm",
+        type=_length,
+        metavar="N",
+        help="with --species: how long the fish is, else 25",
     )
     video.set_defaults(run=_video)
 
@@ -283,6 +299,16 @@ def _jobs(text: str) -> int:
     if jobs == 0:
         raise InputError(f"number of jobs '0': a whole number from 1 to {_MOST_JOBS} is expected")
     return jobs
+
+
+def _length(text: str) -> float:
+    from reefgame.filmed import LONGEST, SHORTEST
+
+    if not re.fullmatch(r"[0-9]{1,4}(\.[0-9]+)?", text) or not SHORTEST <= float(text) <= LONGEST:
+        raise InputError(
+            f"length '{text}': centimetres from {SHORTEST:g} to {LONGEST:g} are expected"
+        )
+    return float(text)
 
 
 def _point(text: str) -> tuple[float, float, float]:
@@ -428,10 +454,30 @@ def _video(options: argparse.Namespace) -> int:
     from reefgame.clips import Request, check_installed, film_to_motion
 
     check_installed()
+    from reefgame.filmed import check_species, write_species
     from tools.video.follow import Choices
 
+    if options.length_cm is not None and options.species is None:
+        raise InputError("--length-cm needs --species")
+    if options.species is not None:
+        check_species(options.species)
+        if options.clip.suffix == ".motion":
+            return _from_motion(options)
     choices = Choices(options.background, options.select, options.fps, options.hz)
-    film_to_motion(Request(options.clip, options.output, options.report), choices)
+    followed = film_to_motion(Request(options.clip, options.output, options.report), choices)
+    if options.species is not None:
+        motion = followed.assembled.motion
+        write_species(motion, options.clip, options.species, options.length_cm or _USUAL_LENGTH)
+    return 0
+
+
+def _from_motion(options: argparse.Namespace) -> int:
+    from reefgame.filmed import write_species
+    from tools.video.motion_file import load
+
+    if any((options.output, options.fps, options.hz, options.select, options.report)):
+        raise InputError(f"{options.clip}: -o, --fps, --hz, --select and --report need a clip")
+    write_species(load(options.clip), None, options.species, options.length_cm or _USUAL_LENGTH)
     return 0
 
 

@@ -17,7 +17,7 @@ from reefgame.content.mods import (
     names_listed,
     yaml_files,
 )
-from reefgame.content.nodes import Mapping, Mark, Node, Scalar, merged, without
+from reefgame.content.nodes import Listing, Mapping, Mark, Node, Scalar, merged, without
 from reefgame.content.schema.flora import FloraFile
 from reefgame.content.schema.flow import carried_by
 from reefgame.content.schema.level import Level, LevelFile
@@ -191,11 +191,13 @@ class Catalogue:
         return validate(self.species_tree(name, FLORA), FloraFile)
 
     def level_tree(self, name: str) -> Mapping:
-        """Return a level's tree with overrides merged."""
+        """Return a level's tree with overrides merged, all `more_fishes` behind its fishes."""
         tree = self.levels[name].tree
+        trees = [tree]
         for definition in self.overrides.get((LEVEL, name), ()):
-            tree = merged(tree, without(definition.tree, "overrides"))
-        return tree
+            trees.append(without(definition.tree, "overrides"))
+            tree = merged(tree, trees[-1])
+        return _with_more_fishes(tree, trees)
 
     def level(self, name: str) -> Level:
         """Return the level `name`, its species and flora named in full. Raise ContentError."""
@@ -249,3 +251,18 @@ class Catalogue:
                 except ContentError as error:
                     found += error.problems
         return found
+
+
+def _with_more_fishes(tree: Mapping, parts: Sequence[Mapping]) -> Mapping:
+    """Return a level's tree with the groups that any of its `parts` adds behind its own; no mod hides another's."""
+    added = [part.items["more_fishes"] for part in parts if "more_fishes" in part.items]
+    groups = [node for listing in added if isinstance(listing, Listing) for node in listing.items]
+    own = tree.items.get("fishes")
+    if len(added) != sum(isinstance(one, Listing) for one in added) or not groups:
+        return tree
+    if own is not None and not isinstance(own, Listing):
+        return tree
+    whole = Listing(tree.mark if own is None else own.mark, [*(own.items if own else ()), *groups])
+    rest = without(tree, "more_fishes")
+    keys = {"fishes": rest.keys.get("fishes", rest.mark)}
+    return Mapping(rest.mark, {**rest.items, "fishes": whole}, {**rest.keys, **keys})

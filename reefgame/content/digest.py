@@ -14,7 +14,9 @@ from components.repertoire import Repertoire
 from reefgame.content.schema.level import Level
 from reefgame.content.schema.species import SpeciesFile
 
-_LEVEL_WORDS: Final = frozenset({"title", "brief", "prompts", "overrides"})
+_LEVEL_WORDS: Final = frozenset({"title", "brief", "prompts", "overrides", "more_fishes"})
+"""What a dive does not depend on; `more_fishes` are among the fishes when a level is resolved."""
+
 _SPECIES_LOOKS: Final[dict[str, bool | dict[str, bool | dict[str, bool]]]] = {
     "title": True,
     "like": True,

@@ -1,7 +1,8 @@
 """Where a species' motion comes from: shipped, else from the user's cache, else captured now and kept (DESIGN 4).
 
 A repertoire fits a species where its fingerprint is that of body, swim and kernels; what a mod ships for another body
-is stale and passed over.
+is stale and passed over. One that holds filmed segments is never stale: where body or swim were changed since, the
+filmed segments are fitted to the body and the others captured anew (tools/video/water/joining.py).
 """
 
 from collections.abc import Callable, Sequence
@@ -33,13 +34,40 @@ def repertoire_of(
 
     Raise ContentError where a shipped file is damaged, or where the body at `origin` does not swim.
     """
-    from tools.capture.capture import capture, fingerprint
+    from tools.capture.capture import fingerprint
+    from tools.video.water.joining import fits, is_filmed
 
     wanted = fingerprint(body, swim)
     for path in shipped:
         found = _shipped(path)
-        if found is not None and found.provenance.get("fingerprint") == wanted:
+        if found is None:
+            continue
+        if found.provenance.get("fingerprint") == wanted or fits(found, body, swim):
             return found
+        if is_filmed(found):
+            return _refitted(
+                path, found, _captured(body, swim, wanted, origin, progress), body, swim
+            )
+    return _captured(body, swim, wanted, origin, progress)
+
+
+def _refitted(
+    path: Path, found: Repertoire, captured: Repertoire, body: Body, swim: Swim
+) -> Repertoire:
+    from tools.video.water.joining import rejoined
+
+    try:
+        return rejoined(found, captured, body, swim)
+    except ValueError as error:
+        raise Mark(shown(path)).error(f"not a usable repertoire: {error}") from None
+
+
+def _captured(
+    body: Body, swim: Swim, wanted: str, origin: Mark, progress: Progress | None
+) -> Repertoire:
+    """Return what the muscles swim, from the user's cache or captured now; `wanted` is its fingerprint."""
+    from tools.capture.capture import capture
+
     kept = cache_folder() / f"{wanted}.npz"
     with suppress(RepertoireError):
         found = load(kept)

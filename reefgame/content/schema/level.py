@@ -206,6 +206,8 @@ class LevelFile(Strict):
     homes: Annotated[tuple[Home, ...], Field(max_length=200)] = ()
     submarine: Start
     fishes: Annotated[tuple[Group, ...], Field(max_length=400)] = ()
+    more_fishes: Annotated[tuple[Group, ...], Field(max_length=400)] = ()
+    """With `overrides`: groups that come beside those that are there, whatever other mods add."""
     food: Annotated[tuple[FoodPatch, ...], Field(max_length=200)] = ()
     flow: Flows = ()
     """Sources, holes, whirlwinds and currents: they carry food and fishes, and bend anemones and weeds."""
