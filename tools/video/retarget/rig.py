@@ -1,0 +1,78 @@
+"""Two-level retargeting: the body first, then the fins by the junctions it carried (papers/003, section 5, fig. 5).
+
+Algorithm 3 deforms the implicit model, junctions included; algorithm 4 the explicit one. In "turn" mode, ours, fins are
+rigid and swing as far from their rest as the fish's fins do from theirs; "paper" is algorithm 4 as printed, with the
+fish's fin angles as they are.
+"""
+
+from typing import Final, Literal, TypeAlias
+
+import numpy as np
+
+from components.arrays import Float64s
+from tools.video.retarget.fin import RigidFin
+from tools.video.retarget.moving_least_squares import RigidDeformation
+from tools.video.retarget.skeleton import BONES, nearest_turn, posed
+from tools.video.retarget.target import Target
+
+FinMode: TypeAlias = Literal["turn", "paper"]
+FIN_MODES: Final[tuple[FinMode, ...]] = ("turn", "paper")
+
+
+class Rig:
+    """Poses a target by the angles of its skeleton."""
+
+    def __init__(self, target: Target, fins: FinMode = "turn") -> None:
+        self.target = target
+        self._skeleton = target.skeleton
+        self._rest = target.rest_angles
+        self._flat = np.ascontiguousarray(target.vertices[:, :2])
+        self._present = [(side, fin) for side, fin in enumerate(target.fins) if fin is not None]
+        junctions = [point for _, fin in self._present for point in (fin.top, fin.bottom)]
+        self._junctions = np.array(junctions).reshape(-1, 2)
+        self._body = RigidDeformation(np.concatenate((self._flat, self._junctions)), target.controls)
+        self._turning = [RigidFin(fin, self._flat, self._skeleton.body_length) for _, fin in self._present]
+        self._whole = self._with_fins() if fins == "paper" and self._present else None
+
+    def _with_fins(self) -> RigidDeformation:
+        tips = np.array([fin.tip for _, fin in self._present])
+        return RigidDeformation(self._flat, np.concatenate((self.target.controls, self._junctions, tips)))
+
+    def controls(self, angles: Float64s) -> Float64s:
+        """Return the body's control points at these angles (22,) [rad], (21, 2)."""
+        return posed(self._skeleton, angles[:BONES])
+
+    def body(self, angles: Float64s) -> tuple[Float64s, Float64s]:
+        """Return vertices (V, 2) and junctions (2 k, 2) after the first level: fins as the body carries them (fig. 5 c)."""
+        moved = self._body(self.controls(angles))
+        return moved[: len(self._flat)], moved[len(self._flat) :]
+
+    def pose(self, angles: Float64s) -> Float64s:
+        """Return the vertices in the plane at these angles (22,) [rad], bones and fins in the local frame, (V, 2)."""
+        moved, junctions = self.body(angles)
+        if self._whole is not None:
+            return self._whole(self._explicit(angles, junctions))
+        for (side, _), fin, (top, bottom) in zip(
+            self._present, self._turning, junctions.reshape(-1, 2, 2), strict=True
+        ):
+            turn = float(nearest_turn(angles[BONES + side] - self._rest[BONES + side]))
+            moved[fin.vertices] = fin(moved[fin.vertices], top, bottom, turn)
+        return moved
+
+    def tips(self, angles: Float64s) -> list[Float64s | None]:
+        """Return where the tip of each fin is, left and right, (2,) each; None where there is no fin."""
+        pose = self.pose(angles)
+        found: list[Float64s | None] = [None, None]
+        for side, fin in self._present:
+            near = self._flat[fin.vertices] - fin.tip
+            found[side] = pose[fin.vertices[int(np.argmin((near**2).sum(axis=1)))]]
+        return found
+
+    def _explicit(self, angles: Float64s, junctions: Float64s) -> Float64s:
+        """Return all control points of the explicit model (algorithm 4, lines 1 to 4)."""
+        tips = []
+        for (side, fin), top in zip(self._present, junctions[::2], strict=True):
+            reach = float(np.sqrt(((fin.tip - fin.top) ** 2).sum()))
+            angle = angles[BONES + side]
+            tips.append(top + reach * np.array([np.cos(angle), np.sin(angle)]))
+        return np.concatenate((self.controls(angles), junctions, np.array(tips)))
