@@ -1,4 +1,4 @@
-"""What is fish and what is ground: the small interface behind which the background models stand (papers/003, section 4).
+"""What is fish and what is ground: the interface behind which the background models stand (papers/003, section 4).
 
 Every model is gated by one threshold T for the clip, Otsu's on the pooled differences from the clean plate: it keeps
 shadows out, and matters more than the model (FINDINGS 4).
@@ -34,6 +34,7 @@ class Plate:
 
     def moving(self, blurred: Grey) -> Grey | None:
         """Return None."""
+        del blurred
         return None
 
 

@@ -1,7 +1,7 @@
 """Smooth contours by elliptic Fourier coefficients (papers/003, section 4.3, eqs. 2-6; Kuhl and Giardina 1982).
 
-A contour resampled evenly by arc length is a periodic complex sequence x + i y; the coefficients a, b, c, d of eq. 2 are
-its Fourier transform's at k and -k. S harmonics are kept: the fewest that lie near enough to the contour.
+A contour resampled evenly by arc length is a periodic complex sequence x + i y; a, b, c and d of eq. 2 are its Fourier
+transform's at k and -k. S harmonics are kept: the fewest that lie near enough to the contour.
 """
 
 from typing import Final
@@ -54,7 +54,7 @@ def harmonics_needed(fourier: NDArray[np.complex128], length: float) -> int:
 
 
 def smooth_contour(contour: Float64s, length: float) -> tuple[Float64s, int]:
-    """Return the contour (n, 2) rebuilt from S harmonics at POINTS points, (256, 2), and S; `length` of the fish [px]."""
+    """Return the contour (n, 2) rebuilt from S harmonics, (256, 2), and S; `length` of the fish [px]."""
     fourier = coefficients(evenly(contour, POINTS, closed=True))
     harmonics = harmonics_needed(fourier, length)
     return rebuilt(kept(fourier, harmonics)), harmonics

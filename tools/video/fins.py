@@ -40,12 +40,18 @@ class Finless:
 
 def without_fins(mask: Grey, outline: Int32s, centre: Float64s, ahead: Float64s) -> Finless:
     """Return the mask without fins; `centre` [px] and the unit vector `ahead` say where head and tail are."""
-    depth = np.asarray(cv2.distanceTransform(mask, cv2.DIST_L2, 5))
+    depth = np.asarray(cv2.distanceTransform(mask, cv2.DIST_L2, 5), np.float32)
     radius = float(depth.max())
     residue = cv2.bitwise_and(mask, cv2.bitwise_not(_opened(depth, _DISC * radius)))
     parts, _ = cv2.findContours(residue, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     along = (outline - centre) @ ahead
-    fins = _fins(parts, centre, ahead, (float(along.min()), float(along.max())), cv2.contourArea(outline))
+    fins = _fins(
+        [np.asarray(part, np.int32) for part in parts],
+        centre,
+        ahead,
+        (float(along.min()), float(along.max())),
+        cv2.contourArea(outline),
+    )
     body = mask.copy()
     cv2.drawContours(body, fins, -1, 0, cv2.FILLED)
     found = tuple(np.asarray(fin[:, 0, :], np.int32) for fin in fins)
@@ -53,12 +59,20 @@ def without_fins(mask: Grey, outline: Int32s, centre: Float64s, ahead: Float64s)
 
 
 def _fins(
-    parts: Sequence[Int32s], centre: Float64s, ahead: Float64s, reach: tuple[float, float], whole: float
+    parts: Sequence[Int32s],
+    centre: Float64s,
+    ahead: Float64s,
+    reach: tuple[float, float],
+    whole: float,
 ) -> list[Int32s]:
     """Return the contours of a residue's parts that are fins; `reach` [px] is the mask's behind and ahead of centre."""
     areas = np.array([cv2.contourArea(part) for part in parts])
     along = np.array([float((part.mean(axis=(0, 1)) - centre) @ ahead) for part in parts])
-    kept = (areas < _TRIFLE * whole) | (along > _HEAD_REACH * reach[1]) | (along < _TAIL_REACH * reach[0])
+    kept = (
+        (areas < _TRIFLE * whole)
+        | (along > _HEAD_REACH * reach[1])
+        | (along < _TAIL_REACH * reach[0])
+    )
     if len(parts):
         rearmost = int(np.argmin(along))
         kept[rearmost] |= bool(areas[rearmost] > _TAIL_SHARE * whole and along[rearmost] < 0.0)
@@ -67,5 +81,5 @@ def _fins(
 
 def _opened(depth: NDArray[np.float32], disc: float) -> Grey:
     """Return what discs of this radius [px] cover that fit into the mask of this depth."""
-    outside = np.asarray(cv2.compare(depth, disc, cv2.CMP_LE), np.uint8)
-    return np.asarray(cv2.compare(cv2.distanceTransform(outside, cv2.DIST_L2, 5), disc, cv2.CMP_LE), np.uint8)
+    outside = (depth <= disc).view(np.uint8)
+    return (np.asarray(cv2.distanceTransform(outside, cv2.DIST_L2, 5)) <= disc) * np.uint8(255)

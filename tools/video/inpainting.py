@@ -1,4 +1,4 @@
-"""Paints a fish that holds station out of the plate: the median of a pixel that it never leaves is the fish (FINDINGS 4).
+"""Paints a fish that holds station out of the plate: the median of a pixel that it never leaves is the fish.
 
 At quarter size: hot pixels change over the clip; the dark (or bright) component that overlaps them most, and that the
 median shows too, is the fish. What it covers for much of the clip is grown and filled from around.
@@ -56,22 +56,24 @@ def _standing(samples: NDArray[np.uint8], median: Grey) -> Grey | None:
 
 def _candidate(small: NDArray[np.uint8], hot: Bools) -> tuple[float, Grey]:
     """Return how well a dark component of the temporal minimum fits a fish that stays, 0 not at all, and its mask."""
-    level, swept = cv2.threshold(np.min(small, axis=0), 0, 255, cv2.THRESH_BINARY_INV + cv2.THRESH_OTSU)
-    swept = cv2.morphologyEx(swept, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
-    count, labels = cv2.connectedComponents(swept)
+    level, swept = cv2.threshold(
+        np.min(small, axis=0), 0, 255, cv2.THRESH_BINARY_INV + cv2.THRESH_OTSU
+    )
+    closed = cv2.morphologyEx(swept, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
+    count, labels = cv2.connectedComponents(closed)
     overlap = np.bincount(labels[hot], minlength=count)
     overlap[0] = 0
     best = int(np.argmax(overlap))
     shape = labels == best
     core = np.asarray(shape & (median_of(small) <= level), np.uint8)
     if best == 0 or shape.mean() > _MOST or core.sum() < _LEAST:
-        return 0.0, swept
+        return 0.0, small[0]
     rim = (cv2.dilate(core, np.ones((5, 5), np.uint8)) > 0) & ~(
         cv2.erode(core, np.ones((3, 3), np.uint8)) > 0
     )
     share = float(hot[rim].mean())
     if share < _RIM:
-        return 0.0, swept
+        return 0.0, small[0]
     covered = np.asarray(shape & ((small <= level).mean(axis=0) > _OFTEN), np.uint8)
     grown = cv2.dilate(covered, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (_GROWN, _GROWN)))
     return float(overlap[best]) * share, np.asarray(grown, np.uint8)

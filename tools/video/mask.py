@@ -12,6 +12,7 @@ import numpy as np
 
 from components.arrays import Float64s, Int32s
 from tools.video.background import Background, Plate, blur
+from tools.video.faults import Fault
 from tools.video.images import Grey
 
 _WEAK: Final = 0.6
@@ -61,6 +62,8 @@ class Segmenter:
         "[px] of the fish alone; 0 as long as it is not known"
         self.select: tuple[float, float] | None = None
         "a place [px] that the fish covers when it is first seen"
+        self.wary = True
+        "whether what differs weakly is fish only within 4 px of what differs strongly: where there are shadows"
 
     def foreground(self, grey: Grey, box: Box) -> tuple[Grey, Grey]:
         """Return the mask of all that differs inside `box` (left, top, right, bottom), and the differences."""
@@ -69,11 +72,13 @@ class Segmenter:
         difference = np.asarray(cv2.absdiff(blurred, self._plate[top:bottom, left:right]), np.uint8)
         strong = cv2.threshold(difference, self._gate, 255, cv2.THRESH_BINARY)[1]
         weak = cv2.threshold(difference, _WEAK * self._gate, 255, cv2.THRESH_BINARY)[1]
-        mask = cv2.bitwise_and(weak, cv2.dilate(strong, _REACH))
+        mask = cv2.bitwise_and(weak, cv2.dilate(strong, _REACH)) if self.wary else weak
         moving = self._model.moving(blurred)
         if moving is not None:
             mask = cv2.bitwise_and(mask, cv2.dilate(moving, _REACH))
-        mask = cv2.morphologyEx(cv2.morphologyEx(mask, cv2.MORPH_OPEN, _CUT), cv2.MORPH_CLOSE, _JOIN)
+        mask = cv2.morphologyEx(
+            cv2.morphologyEx(mask, cv2.MORPH_OPEN, _CUT), cv2.MORPH_CLOSE, _JOIN
+        )
         return np.asarray(mask, np.uint8), difference
 
     def find(self, grey: Grey) -> Sighting | None:
@@ -94,7 +99,12 @@ class Segmenter:
             return 0, 0, width, height
         left, top, right, bottom = self._box
         more = int(_MARGIN * max(right - left, bottom - top)) + 8
-        return max(0, left - more), max(0, top - more), min(width, right + more), min(height, bottom + more)
+        return (
+            max(0, left - more),
+            max(0, top - more),
+            min(width, right + more),
+            min(height, bottom + more),
+        )
 
     def _crosses(self, found: Sighting, near: Box, grey: Grey) -> bool:
         """Return whether the fish goes on beyond where it was looked for."""
@@ -108,8 +118,10 @@ class Segmenter:
         areas = np.array([cv2.contourArea(c) if len(c) > _LEAST_ROUND else 0.0 for c in found])
         if not len(areas) or areas.max() < _LEAST:
             return None
-        best = self._best([c[:, 0, :] for c in found], areas, near)
-        return self._cut_out(np.asarray(found[best], np.int32), float(areas[best]), difference, near, grey)
+        best = self._best([np.asarray(c[:, 0, :], np.int32) for c in found], areas, near)
+        return self._cut_out(
+            np.asarray(found[best], np.int32), float(areas[best]), difference, near, grey
+        )
 
     def _best(self, outlines: Sequence[Int32s], areas: Float64s, near: Box) -> int:
         """Return the component that is the fish: where it was, else where it was chosen, else the largest."""
@@ -117,7 +129,10 @@ class Segmenter:
         corner = np.array(near[:2])
         if self._box is not None:
             left, top, right, bottom = self._box
-            place, scale = np.array([left + right, top + bottom]) / 2.0, max(right - left, bottom - top, 1)
+            place, scale = (
+                np.array([left + right, top + bottom]) / 2.0,
+                max(right - left, bottom - top, 1),
+            )
             away = [np.hypot(*(o.mean(axis=0) + corner - place)) / scale for o in outlines]
             return int(np.argmax(size / (1.0 + 4.0 * np.array(away) ** 2)))
         if self.select is not None:
@@ -127,26 +142,32 @@ class Segmenter:
             return int(np.argmin(np.where(size > 0.0, np.where(inside, 0.0, away), np.inf)))
         return int(np.argmax(size))
 
-    def _cut_out(self, outline: Int32s, area: float, difference: Grey, near: Box, grey: Grey) -> Sighting:
+    def _cut_out(
+        self, outline: Int32s, area: float, difference: Grey, near: Box, grey: Grey
+    ) -> Sighting:
         x, y, w, h = cv2.boundingRect(outline)
         mask = np.zeros((h + 2 * RIM, w + 2 * RIM), np.uint8)
         own = outline - np.array([x - RIM, y - RIM], np.int32)
         cv2.drawContours(mask, [own], 0, 255, cv2.FILLED)
-        contrast = cv2.mean(difference[y : y + h, x : x + w], mask[RIM:-RIM, RIM:-RIM])[0] / self._gate
+        contrast = (
+            cv2.mean(difference[y : y + h, x : x + w], mask[RIM:-RIM, RIM:-RIM])[0] / self._gate
+        )
         left, top = near[0] + x, near[1] + y
         height, width = grey.shape
         box = (left, top, left + w, top + h)
         at_edge = left <= 0 or top <= 0 or left + w >= width or top + h >= height
-        return Sighting(mask, own[:, 0, :], (left - RIM, top - RIM), box, area, float(contrast), at_edge)
+        return Sighting(
+            mask, own[:, 0, :], (left - RIM, top - RIM), box, area, float(contrast), at_edge
+        )
 
-    def fault(self, found: Sighting | None) -> str:
+    def fault(self, found: Sighting | None) -> Fault:
         """Return what is wrong with a sighting, nothing where it shows the fish alone and whole."""
         if found is None:
-            return "no fish is seen"
+            return Fault.NO_FISH
         if found.at_edge:
-            return "the fish leaves the frame"
+            return Fault.AT_EDGE
         if self.usual_area > 0.0 and found.area > _LARGEST * self.usual_area:
-            return "two fishes touch, or something covers the fish"
+            return Fault.TOUCHED
         if self.usual_area > 0.0 and found.area < _SMALLEST * self.usual_area:
-            return "part of the fish is hidden"
-        return ""
+            return Fault.HIDDEN
+        return Fault.NONE

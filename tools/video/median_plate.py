@@ -1,4 +1,4 @@
-"""The clean plate where the fish moves: the median of each pixel over frames sampled from the whole clip (FINDINGS 4)."""
+"""The clean plate where the fish moves: each pixel's median over frames from the whole clip (FINDINGS 4)."""
 
 from typing import Final
 

@@ -73,7 +73,7 @@ def medial_axis(finless: Finless, contour: Float64s, ahead: Float64s) -> Axis:
         spoilt = _spoilt(shade, stations, normal, left, right)
         spine = _smoothed(middle, spoilt)
         head = _head_tip(finless.body, spine)
-        tail = _tail_tip(finless.outline, spine)
+        tail = _tail_tip(finless.body, finless.outline, spine)
         line = np.concatenate((head[None], spine, tail[None]))
     half_width = 0.5 * (_bridged(left, spoilt) + _bridged(right, spoilt))
     return Axis(spine, half_width, head, tail, _lobes(finless.outline, spine))
@@ -109,7 +109,7 @@ def _smoothed(middle: Float64s, spoilt: Bools) -> Float64s:
     if not spoilt.any():
         return np.asarray(_SMOOTH @ middle)
     weight = np.where(spoilt, 0.0, 1.0)
-    return np.linalg.solve(np.diag(weight) + _STIFFNESS, middle * weight[:, None])
+    return np.asarray(np.linalg.solve(np.diag(weight) + _STIFFNESS, middle * weight[:, None]))
 
 
 def _bridged(width: Float64s, spoilt: Bools) -> Float64s:
@@ -148,7 +148,9 @@ def _chord(body: Grey, line: Float64s, normal: Float64s, reach: float) -> tuple[
     """Return how far the mask goes to the left and right of each point of a line [px], (n,) each."""
     count = int(reach / _STEP)
     steps = np.arange(-count, count + 1) * _STEP
-    inside = _sampled(body, line[:, :1] + steps * normal[:, :1], line[:, 1:] + steps * normal[:, 1:])
+    inside = _sampled(
+        body, line[:, :1] + steps * normal[:, :1], line[:, 1:] + steps * normal[:, 1:]
+    )
     outside = inside == 0
     return _first(outside[:, count::-1]), _first(outside[:, count:])
 
@@ -196,8 +198,8 @@ def _tail_end(outline: Float64s, spine: Float64s) -> tuple[Float64s, Float64s, B
     return along, aside, near, length
 
 
-def _tail_tip(outline: Float64s, spine: Float64s) -> Float64s:
-    """Return the middle of the tail's end."""
+def _tail_tip(body: Grey, outline: Float64s, spine: Float64s) -> Float64s:
+    """Return the last place inside the mask on the way to the middle of the tail's end."""
     along, aside, near, length = _tail_end(outline, spine)
     course = _course(spine, -1, -5)
     if not near.any():
@@ -205,7 +207,12 @@ def _tail_tip(outline: Float64s, spine: Float64s) -> Float64s:
     far = float(along[near].max())
     end = aside[near & (along >= far - _NEAR_TIP * length)]
     middle = 0.5 * (end.min() + end.max())
-    return np.asarray(spine[-1] + far * course + middle * np.array([-course[1], course[0]]))
+    way = far * course + middle * np.array([-course[1], course[0]])
+    parts = np.arange(0.0, far, _STEP) / far
+    places = spine[-1] + parts[:, None] * way
+    inside = np.flatnonzero(_sampled(body, places[:, 0], places[:, 1]))
+    last = float(parts[inside[-1]]) + 0.5 * _STEP / far if len(inside) else 1.0
+    return np.asarray(spine[-1] + last * way)
 
 
 def _lobes(outline: Float64s, spine: Float64s) -> Float64s:

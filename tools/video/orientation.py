@@ -19,7 +19,7 @@ _ROUND: Final = 1.15
 
 
 def principal(outline: Int32s) -> tuple[Float64s, Float64s, float]:
-    """Return the barycentre [px], the unit vector of greatest spread and the ratio of spreads of what a contour holds."""
+    """Return barycentre [px], unit vector of greatest spread and ratio of spreads of what a contour holds."""
     m = cv2.moments(outline)
     centre = np.array([m["m10"], m["m01"]]) / m["m00"]
     spread = np.array([[m["mu20"], m["mu11"]], [m["mu11"], m["mu02"]]]) / m["m00"]

@@ -1,6 +1,6 @@
 """Reads a clip frame by frame, in bounded memory, as brightness at a working size (papers/003, section 7: 960x544).
 
-PyAV decodes: it says what is wrong with a file, gives the plane of brightness as it is, and its clock is the file's own.
+PyAV decodes: it says what is wrong with a file, gives the plane of brightness as it is, and the frames' own times.
 """
 
 from collections.abc import Iterator
@@ -104,10 +104,11 @@ class Clip:
             container.close()
             raise ClipError(f"{self.path}: there are no pictures in this file")
         stream = container.streams.video[0]
-        if stream.codec_context is None:
+        decoder: Any = getattr(stream, "codec_context", None)
+        if decoder is None:
             container.close()
             raise ClipError(f"{self.path}: its codec is not known")
-        if stream.codec_context.name in _STILL:
+        if decoder.name in _STILL:
             container.close()
             raise ClipError(f"{self.path}: this is a still picture; a clip is expected")
         stream.thread_type = "AUTO"

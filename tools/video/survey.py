@@ -69,7 +69,7 @@ class _Sampler:
         return np.stack([self.kept[int(i)] for i in chosen])
 
 
-def survey(clip: Clip, report: Report = lambda done: None) -> Survey:
+def survey(clip: Clip, report: Report) -> Survey:
     """Read the whole clip once. Raise ClipError where it holds fewer than two different frames."""
     shots, seconds, before = [_Sampler(0)], [], None
     moved = False

@@ -1,7 +1,7 @@
 """Clips with known truth: our own species' captured swims drawn as a camera above a tank would see them.
 
 The body, caudal and pectoral fins are silhouettes of the captured nodes (components/repertoire.py); a textured ground,
-noise, blur, a moving shadow and beating fins make it as hard as a real clip. The truth is the centre line, nose to tail.
+noise, blur, a moving shadow and beating fins make it hard. The truth is the centre line from nose to tail tip.
 """
 
 from collections.abc import Iterator
@@ -11,7 +11,7 @@ from typing import Final
 import cv2
 import numpy as np
 
-from components.arrays import Float64s
+from components.arrays import Float32s, Float64s
 from components.body import Body
 from components.segment import Segment
 from tools.capture.report.silhouette import silhouette_of
@@ -98,7 +98,9 @@ class SyntheticClip:
         x, y = flat[:, 0] + 0.45, flat[:, 1]
         away = np.array([s.width / 2, s.height / 2])
         if s.travels:
-            away = away + np.array([0.27 * s.width * np.sin(angle), -0.2 * s.height * np.cos(angle)])
+            away = away + np.array(
+                [0.27 * s.width * np.sin(angle), -0.2 * s.height * np.cos(angle)]
+            )
         turned = np.stack((cos * x - sin * y, sin * x + cos * y), axis=-1)
         return away + s.body_length * turned
 
@@ -109,23 +111,27 @@ class SyntheticClip:
         beat = side * self.setting.fins * (0.45 * np.sin(0.21 * number + side) - 0.1)
         cos, sin = np.cos(beat), np.sin(beat)
         away = flat - root
-        turned = np.stack((cos * away[:, 0] - sin * away[:, 1], sin * away[:, 0] + cos * away[:, 1]), -1)
+        turned = np.stack(
+            (cos * away[:, 0] - sin * away[:, 1], sin * away[:, 0] + cos * away[:, 1]), -1
+        )
         return self._in_tank(root + turned, number)
 
-    def _textured(self) -> "np.ndarray[tuple[int, ...], np.dtype[np.float32]]":
+    def _textured(self) -> Float32s:
         s = self.setting
-        rough = self._chance.normal(0.0, 1.0, (s.height // 8 + 1, s.width // 8 + 1)).astype(np.float32)
+        rough = self._chance.normal(0.0, 1.0, (s.height // 8 + 1, s.width // 8 + 1)).astype(
+            np.float32
+        )
         fine = cv2.resize(rough, (s.width, s.height), interpolation=cv2.INTER_CUBIC)
         across = np.linspace(-12.0, 12.0, s.width, dtype=np.float32)
         return np.asarray(s.ground + 7.0 * np.asarray(fine) + across, np.float32)
 
-    def _shaded(self, image: Grey, number: int) -> Grey:
+    def _shaded(self, image: Float32s, number: int) -> Float32s:
         s = self.setting
         cover = np.zeros((s.height // 8, s.width // 8), np.float32)
         centre = (int(s.width / 8 * (0.5 + 0.4 * np.sin(0.017 * number))), s.height // 16)
         cv2.ellipse(cover, centre, (s.width // 48, s.height // 28), 20, 0, 360, 1.0, -1)
         soft = cv2.resize(cv2.GaussianBlur(cover, (0, 0), 1.2), (s.width, s.height))
-        shaded: Grey = image * (1.0 - (1.0 - s.shadow) * np.asarray(soft))
+        shaded: Float32s = image * (1.0 - (1.0 - s.shadow) * np.asarray(soft))
         return shaded
 
 
@@ -147,7 +153,7 @@ def _ribbon(line: Float64s, thick: float) -> Float64s:
     return np.concatenate((line + aside, (line - aside)[::-1]))
 
 
-def _fill(image: Grey, places: Float64s, ink: int) -> None:
+def _fill(image: Float32s, places: Float64s, ink: int) -> None:
     """Draw a closed shape with places in sixteenths of a pixel."""
     fixed = np.round(places * (1 << _SHIFT)).astype(np.int32)
     cv2.fillPoly(image, [fixed], float(ink), lineType=cv2.LINE_8, shift=_SHIFT)

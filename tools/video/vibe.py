@@ -10,7 +10,7 @@ from typing import Final
 import cv2
 import numpy as np
 
-from tools.video.images import Grey
+from tools.video.images import Bools, Grey
 
 _VALUES: Final = 20
 _NEAR: Final = 20
@@ -40,7 +40,7 @@ class SampleConsensus:
         self._learn(blurred, foreground)
         return np.asarray(foreground, np.uint8) * np.uint8(255)
 
-    def _learn(self, blurred: Grey, foreground: "np.ndarray[tuple[int, ...], np.dtype[np.bool_]]") -> None:
+    def _learn(self, blurred: Grey, foreground: Bools) -> None:
         count = self._height * self._width // _UPDATED
         y = self._chance.integers(0, self._height, count)
         x = self._chance.integers(0, self._width, count)
