@@ -28,8 +28,13 @@ def bound_fin(
     edge = to_local(mark.outline, marks, scale)
     unit = np.ptp(edge, axis=0).max() / 1000.0
     polygon = (edge / unit).astype(np.float32)
-    near = np.flatnonzero(_within(vertices[:, :2], edge.min(axis=0) - unit, edge.max(axis=0) + unit))
-    depth = [cv2.pointPolygonTest(polygon, (float(x), float(y)), True) for x, y in vertices[near, :2] / unit]
+    near = np.flatnonzero(
+        _within(vertices[:, :2], edge.min(axis=0) - unit, edge.max(axis=0) + unit)
+    )
+    depth = [
+        cv2.pointPolygonTest(polygon, (float(x), float(y)), True)
+        for x, y in vertices[near, :2] / unit
+    ]
     # A mesh drawn from the outline has its own border within a pixel of it.
     inside = near[np.array(depth) > -scale / unit]
     if not len(inside):
@@ -59,7 +64,9 @@ def _from_root(
     place[inside] = np.arange(len(inside))
     edges = np.concatenate((triangles[:, :2], triangles[:, 1:], triangles[:, ::2]))
     one, other = place[edges[:, 0]], place[edges[:, 1]]
-    starts = np.unique(np.concatenate((one[(one >= 0) & (other < 0)], other[(other >= 0) & (one < 0)])))
+    starts = np.unique(
+        np.concatenate((one[(one >= 0) & (other < 0)], other[(other >= 0) & (one < 0)]))
+    )
     both = (one >= 0) & (other >= 0)
     length = np.sqrt(((vertices[edges[both, 0]] - vertices[edges[both, 1]]) ** 2).sum(axis=1))
     # One more node stands for the root itself.

@@ -37,7 +37,9 @@ class View:
 
     def to_picture(self, points: Float64s) -> Float64s:
         """Return places of the clip, (n, 2), in the picture [px]."""
-        return (points - self.centre) * self.scale + 0.5 * np.array([self.width - 1.0, self.height - 1.0])
+        return (points - self.centre) * self.scale + 0.5 * np.array(
+            [self.width - 1.0, self.height - 1.0]
+        )
 
 
 def view_of(motion: IntermediateMotion, width: int, height: int) -> View:
@@ -54,13 +56,17 @@ def water(width: int, height: int) -> Colour:
     return np.broadcast_to(above + down * (below - above), (height, width, 3)).astype(np.uint8)
 
 
-def draw(picture: Colour, retargeting: Retargeting, angles: Float64s, placement: Placement, view: View) -> None:
+def draw(
+    picture: Colour, retargeting: Retargeting, angles: Float64s, placement: Placement, view: View
+) -> None:
     """Paint the target at these angles (22,) over a picture, in place."""
     target = retargeting.target
     plane = view.to_picture(placement.to_picture(retargeting.rig.pose(angles)))
     height = target.vertices[:, 2] * placement.scale * view.scale
     if not target.solid:
-        paint(picture, plane, height, target.triangles, target.uv, np.ones(len(plane)), target.texture)
+        paint(
+            picture, plane, height, target.triangles, target.uv, np.ones(len(plane)), target.texture
+        )
         return
     body = np.concatenate((plane, height[:, None]), axis=1)
     places = plane.copy()
@@ -80,7 +86,9 @@ def _light(target: Target, places: Float64s) -> Float64s:
         np.add.at(normal, target.triangles[:, corner], face)
     size = np.sqrt((normal**2).sum(axis=1))
     # Sheets have one winding and two sides: what is seen is turned to the eye.
-    normal *= np.where(normal @ np.array([0.0, np.sin(TILT), np.cos(TILT)]) < 0.0, -1.0, 1.0)[:, None]
+    normal *= np.where(normal @ np.array([0.0, np.sin(TILT), np.cos(TILT)]) < 0.0, -1.0, 1.0)[
+        :, None
+    ]
     towards = normal @ np.array(_SUN) / np.maximum(size, 1e-12)
     return np.asarray(_DARKEST + (1.15 - _DARKEST) * (0.5 + 0.5 * towards))
 
@@ -100,9 +108,16 @@ def still(target: Target, width: int, height: int) -> Colour:
     low, high = target.vertices[:, :2].min(axis=0), target.vertices[:, :2].max(axis=0)
     angles = target.rest_angles
     one = np.zeros(1)
-    motion = IntermediateMotion(np.zeros((1, 2)), one + 0.5 * np.pi, angles[None], target.skeleton.body_length, 1.0)
+    motion = IntermediateMotion(
+        np.zeros((1, 2)), one + 0.5 * np.pi, angles[None], target.skeleton.body_length, 1.0
+    )
     span = high - low
-    view = View(width, height, np.array([1.0, -1.0]) * 0.5 * (low + high), 0.92 * float(min(width / span[0], height / span[1])))
+    view = View(
+        width,
+        height,
+        np.array([1.0, -1.0]) * 0.5 * (low + high),
+        0.92 * float(min(width / span[0], height / span[1])),
+    )
     picture = water(width, height)
     retargeting = Retargeting(target, motion)
     draw(picture, retargeting, angles, retargeting.placement(0), view)

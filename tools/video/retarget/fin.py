@@ -75,7 +75,9 @@ class RigidFin:
         soft = _complex(body) - middle
         turn = min(max(turn - float(np.angle(rolled)), -self.limit), self.limit)
         angle = turn * self._share
-        placed = (np.cos(angle) + 1j * np.sin(angle)) * (soft + self._share * (stiff - soft)) + middle
+        placed = (np.cos(angle) + 1j * np.sin(angle)) * (
+            soft + self._share * (stiff - soft)
+        ) + middle
         return np.stack((placed.real, placed.imag), axis=-1)
 
 

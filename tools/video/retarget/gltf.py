@@ -45,7 +45,9 @@ def read_gltf(path: Path) -> Mesh:
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from None
     except (KeyError, IndexError, TypeError, ValueError, struct.error, RecursionError) as error:
-        raise ModelError(f"{path}: this is no sound glTF 2.0 file: {type(error).__name__}: {error}") from None
+        raise ModelError(
+            f"{path}: this is no sound glTF 2.0 file: {type(error).__name__}: {error}"
+        ) from None
     if not parts:
         raise ModelError(f"{path}: there is no mesh of triangles in it")
     return _joined(parts)
@@ -66,7 +68,9 @@ class _File:
             raise ModelError("this is no glTF file") from None
         needed = self._json.get("extensionsRequired", [])
         if needed:
-            raise ModelError(f"it needs {', '.join(map(str, needed))}, which is not read: export it without")
+            raise ModelError(
+                f"it needs {', '.join(map(str, needed))}, which is not read: export it without"
+            )
         self._buffers = [self._buffer(entry) for entry in self._json.get("buffers", [])]
 
     def _chunks(self, content: bytes) -> bytes:
@@ -160,13 +164,23 @@ class _File:
         return _Part(vertices, triangles, uv, picture)
 
     def _picture(self, material: int | None) -> Texture:
-        look = {} if material is None else self._json["materials"][material].get("pbrMetallicRoughness", {})
-        factor = look.get("baseColorFactor", (1.0, 1.0, 1.0, 1.0) if look else (0.72, 0.74, 0.76, 1.0))
+        look = (
+            {}
+            if material is None
+            else self._json["materials"][material].get("pbrMetallicRoughness", {})
+        )
+        factor = look.get(
+            "baseColorFactor", (1.0, 1.0, 1.0, 1.0) if look else (0.72, 0.74, 0.76, 1.0)
+        )
         if "baseColorTexture" not in look:
             return plain(factor)
         source = self._json["textures"][look["baseColorTexture"]["index"]]["source"]
         image = self._json["images"][source]
-        content = self._view(image["bufferView"]) if "bufferView" in image else self._resource(image["uri"])
+        content = (
+            self._view(image["bufferView"])
+            if "bufferView" in image
+            else self._resource(image["uri"])
+        )
         return tinted(decoded(np.frombuffer(content, np.uint8), f"picture {source}"), factor)
 
 

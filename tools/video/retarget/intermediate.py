@@ -6,7 +6,8 @@ import numpy as np
 
 from components.arrays import Float64s
 from tools.video.motion import Motion
-from tools.video.retarget.skeleton import BONES
+from tools.video.retarget.skeleton import BONES, LOW, UP
+from tools.video.retarget.target import ModelError
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,12 @@ class IntermediateMotion:
 
 
 def intermediate(motion: Motion) -> IntermediateMotion:
-    """Return what retargeting needs of a motion."""
+    """Return what retargeting needs of a motion. Raise ModelError where its bones are not those of skeleton.py."""
+    bones = (motion.up_angle.shape[1], motion.low_angle.shape[1])
+    if bones != (UP, LOW):
+        raise ModelError(
+            f"the motion has {bones[0]} and {bones[1]} points of the axis, {UP} and {LOW} are expected"
+        )
     angles, _ = motion.bones()
     return IntermediateMotion(
         centre=motion.centre,

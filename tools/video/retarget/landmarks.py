@@ -1,25 +1,17 @@
-"""Finds a still silhouette's axis, fins and junctions, as in a clip's frame (papers/003, sections 3.2, 4 and 5)."""
+"""Finds a still silhouette's axis, fins and junctions (papers/003, sections 3.2, 4 and 5; Table 1)."""
 
 from dataclasses import dataclass
-from typing import Final
 
 import cv2
 import numpy as np
 
-from components.arrays import Float64s, Int32s
+from components.arrays import Float64s
 from tools.video.contour import outline_of
-from tools.video.fins import Finless, without_fins
 from tools.video.images import Grey
 from tools.video.orientation import head_evidence, principal
-from tools.video.pectorals import along_axis
 from tools.video.retarget.skeleton import sampled_axis
 from tools.video.retarget.still_axis import still_axis
-
-_FRONT, _REAR = 0.05, 0.7
-"""Of the axis from the head: between them a root is a paired fin's, in models of any kind."""
-_LEAST: Final = 0.004
-"""Of the silhouette's area: what is smaller is no fin."""
-_BORDER: Final = cv2.getStructuringElement(cv2.MORPH_RECT, (5, 5))
+from tools.video.retarget.still_fins import fin_of
 
 
 @dataclass(frozen=True)
@@ -53,51 +45,40 @@ def landmarks(mask: Grey, towards: Float64s | None = None) -> Landmarks:
 
     `towards` (2,) is where its head points, if that is known; else the heavier half is the head's.
     """
-    edge = outline_of(mask).astype(np.int32)
-    centre, ahead, _ = principal(edge)
+    edge = outline_of(mask)
+    centre, ahead, _ = principal(edge.astype(np.int32))
     if towards is not None:
-        ahead = ahead * (1.0 if float(ahead @ towards) >= 0.0 else -1.0)
+        ahead = _pointed(ahead, towards)
     elif head_evidence(mask, centre, ahead) < 0.0:
         ahead = -ahead
-    finless = without_fins(mask, edge, centre, ahead)
-    line = still_axis(finless, centre, ahead)
-    share = float(np.argmin(((line - centre) ** 2).sum(axis=1))) / (len(line) - 1)
-    controls = sampled_axis(line, min(max(share, 0.1), 0.9))
-    outline = edge.astype(np.float64)
-    return Landmarks(controls, _fin_marks(finless, line, outline, float(cv2.contourArea(edge))), outline)
+    axis = still_axis(mask, edge, centre, ahead)
+    found = [fin_of(mask, axis, side) for side in (0, 1)]
+    body = mask.copy()
+    for fin in found:
+        if fin is not None:
+            body[fin[2] > 0] = 0
+    axis = still_axis(body, outline_of(body), centre, ahead)
+    share = float(np.argmin(((axis - centre) ** 2).sum(axis=1))) / (len(axis) - 1)
+    marks = [None if fin is None else _mark(edge, *fin) for fin in found]
+    return Landmarks(sampled_axis(axis, min(max(share, 0.1), 0.9)), (marks[0], marks[1]), edge)
 
 
-def _fin_marks(
-    finless: Finless, axis: Float64s, outline: Float64s, area: float
-) -> tuple[FinMark | None, FinMark | None]:
-    """Return the largest fin of each side."""
-    border = np.asarray(cv2.dilate(finless.body, _BORDER), np.uint8)
-    found: list[FinMark | None] = [None, None]
-    for fin in finless.fins:
-        if cv2.contourArea(fin) < _LEAST * area:
-            continue
-        station, aside = along_axis(fin.astype(np.float64), axis)
-        side = 0 if float(np.median(aside)) > 0.0 else 1
-        mark = _mark(fin, station / (len(axis) - 1), aside, border, outline)
-        if found[side] is None and mark is not None:
-            found[side] = mark
-    return found[0], found[1]
+def _pointed(ahead: Float64s, towards: Float64s) -> Float64s:
+    """Return the principal direction with the sign that points `towards`; that itself where it lies across."""
+    towards = towards / np.sqrt(towards @ towards)
+    along = float(ahead @ towards)
+    return towards if abs(along) < 0.5 else ahead * np.sign(along)
 
 
-def _mark(
-    fin: Int32s, along: Float64s, aside: Float64s, border: Grey, outline: Float64s
-) -> FinMark | None:
-    """Return a fin's landmarks, None where its root is no paired fin's."""
-    at = np.flatnonzero(border[fin[:, 1], fin[:, 0]] > 0)
-    if not len(at) or not _FRONT < float(along[at].mean()) < _REAR:
+def _mark(outline: Float64s, top: Float64s, bottom: Float64s, fin: Grey) -> FinMark | None:
+    """Return a fin's landmarks on the silhouette's edge; its tip is the point farthest from the root."""
+    own = outline_of(np.asarray(cv2.dilate(fin, np.ones((3, 3), np.uint8)), np.uint8))
+    far = own[int(np.argmax(((own - 0.5 * (top + bottom)) ** 2).sum(axis=1)))]
+    places = [_nearest(outline, place) for place in (top, far, bottom)]
+    if len(set(places)) < 3:
         return None
-    places = fin.astype(np.float64)
-    tip = _nearest(outline, places[int(np.argmax(np.abs(aside)))])
-    top = _nearest(outline, places[at[int(np.argmin(along[at]))]])
-    bottom = _nearest(outline, places[at[int(np.argmax(along[at]))]])
-    if len({tip, top, bottom}) < 3:
-        return None
-    return FinMark(outline[tip], outline[top], outline[bottom], _stretch(outline, top, tip, bottom))
+    stretch = _stretch(outline, *places)
+    return FinMark(outline[places[1]], outline[places[0]], outline[places[2]], stretch)
 
 
 def _nearest(outline: Float64s, place: Float64s) -> int:

@@ -37,7 +37,9 @@ class Mesh:
     "where its file says that up is, unit vector, (3,)"
 
 
-def mesh_target(mesh: Mesh, name: str, ahead: Float64s | None = None, may_be_open: bool = False) -> Target:
+def mesh_target(
+    mesh: Mesh, name: str, ahead: Float64s | None = None, may_be_open: bool = False
+) -> Target:
     """Return the mesh as a target; `ahead` (3,) is where its head points, else the heavier half is the head's.
 
     Raise ModelError where it is empty, flat or, unless that is allowed, has holes.
@@ -48,11 +50,14 @@ def mesh_target(mesh: Mesh, name: str, ahead: Float64s | None = None, may_be_ope
     scale = extent / _PIXELS
     corner = np.array([turned[:, 0].min(), turned[:, 1].max()])
     seen = (turned[:, :2] - corner) * (1.0, -1.0) / scale + _RIM
-    marks = landmarks(_silhouette(seen, mesh.triangles), None if ahead is None else np.array([0.0, -1.0]))
+    marks = landmarks(
+        _silhouette(seen, mesh.triangles), None if ahead is None else np.array([0.0, -1.0])
+    )
     height = turned[:, 2:] - turned[:, 2].mean()
     places = np.concatenate((to_local(seen, marks, scale), height), axis=1)
     fins = tuple(
-        None if mark is None else bound_fin(mark, marks, scale, places, mesh.triangles) for mark in marks.fins
+        None if mark is None else bound_fin(mark, marks, scale, places, mesh.triangles)
+        for mark in marks.fins
     )
     return Target(
         name=name,
@@ -103,13 +108,21 @@ def _check(mesh: Mesh, may_be_open: bool) -> None:
     edges = open_edges(welded(mesh.vertices, mesh.triangles))
     if len(edges):
         a, b = (", ".join(f"{v:.4g}" for v in mesh.vertices[i]) for i in edges[0])
-        raise ModelError(f"the mesh has holes: {len(edges)} open edges, one from ({a}) to ({b}); a closed one is expected")
+        raise ModelError(
+            f"the mesh has holes: {len(edges)} open edges, one from ({a}) to ({b}); a closed one is expected"
+        )
 
 
 def welded(vertices: Float64s, triangles: Int64s) -> Int64s:
     """Return the triangles with vertices at the same place made one (the first of them); those that collapse go."""
-    cell = np.round((vertices - vertices.min(axis=0)) / (_SAME * float(np.ptp(vertices, axis=0).max()))).astype(np.int64)
+    cell = np.round(
+        (vertices - vertices.min(axis=0)) / (_SAME * float(np.ptp(vertices, axis=0).max()))
+    ).astype(np.int64)
     _, first, same = np.unique(cell, axis=0, return_index=True, return_inverse=True)
     joined = first[same.reshape(-1)][triangles]
-    distinct = (joined[:, 0] != joined[:, 1]) & (joined[:, 1] != joined[:, 2]) & (joined[:, 2] != joined[:, 0])
+    distinct = (
+        (joined[:, 0] != joined[:, 1])
+        & (joined[:, 1] != joined[:, 2])
+        & (joined[:, 2] != joined[:, 0])
+    )
     return np.asarray(joined[distinct], np.int64)

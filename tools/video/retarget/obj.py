@@ -70,7 +70,9 @@ def _take(read: _Read, words: list[str], path: Path) -> None:
         if len(words) < 4:
             raise ValueError("a face has at least three corners")
         corner = [_corner(read, word) for word in words[1:]]
-        read.triangles.extend((corner[0], b, c) for b, c in zip(corner[1:], corner[2:], strict=False))
+        read.triangles.extend(
+            (corner[0], b, c) for b, c in zip(corner[1:], corner[2:], strict=False)
+        )
 
 
 def _numbers(words: list[str], count: int) -> tuple[float, ...]:
@@ -121,4 +123,6 @@ def _mesh(read: _Read) -> Mesh:
     for row, (_, at, material) in enumerate(read.corners):
         u, v = read.textures[at] if at >= 0 else (0.5, 0.5)
         uv[row] = placed(np.array([[u, 1.0 - v]]), read.pictures[material], begins[material])[0]
-    return Mesh(vertices, np.array(read.triangles, np.int64), uv, texture, np.array([0.0, 1.0, 0.0]))
+    return Mesh(
+        vertices, np.array(read.triangles, np.int64), uv, texture, np.array([0.0, 1.0, 0.0])
+    )

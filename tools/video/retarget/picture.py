@@ -50,7 +50,8 @@ def target_of(
     flat = to_local(points, marks)
     places = np.concatenate((flat, np.zeros((len(flat), 1))), axis=1)
     fins = tuple(
-        None if mark is None else bound_fin(mark, marks, 1.0, places, triangles) for mark in marks.fins
+        None if mark is None else bound_fin(mark, marks, 1.0, places, triangles)
+        for mark in marks.fins
     )
     return Target(
         name=name,
@@ -76,15 +77,25 @@ def decoded(content: "np.ndarray[tuple[int, ...], np.dtype[np.uint8]]", name: st
     """Return red, green, blue and opacity of a picture's bytes. Raise ModelError."""
     found = cv2.imdecode(content, cv2.IMREAD_UNCHANGED) if len(content) else None
     if found is None:
-        raise ModelError(f"{name}: this is no picture that can be read: PNG, JPEG, WebP or TIFF is expected")
+        raise ModelError(
+            f"{name}: this is no picture that can be read: PNG, JPEG, WebP or TIFF is expected"
+        )
     image = np.asarray(found)
     if image.dtype != np.uint8:
-        image = np.asarray(image / (257.0 if image.dtype == np.uint16 else 1.0)).clip(0, 255).astype(np.uint8)
+        image = (
+            np.asarray(image / (257.0 if image.dtype == np.uint16 else 1.0))
+            .clip(0, 255)
+            .astype(np.uint8)
+        )
     if min(image.shape[:2]) < _SMALLEST:
-        raise ModelError(f"{name}: {image.shape[1]}x{image.shape[0]} is too small: at least {_SMALLEST} pixels a side")
+        raise ModelError(
+            f"{name}: {image.shape[1]}x{image.shape[0]} is too small: at least {_SMALLEST} pixels a side"
+        )
     longest = max(image.shape[:2])
     if longest > _LARGEST:
-        image = cv2.resize(image, None, fx=_LARGEST / longest, fy=_LARGEST / longest, interpolation=cv2.INTER_AREA)
+        image = cv2.resize(
+            image, None, fx=_LARGEST / longest, fy=_LARGEST / longest, interpolation=cv2.INTER_AREA
+        )
     return _rgba(image)
 
 
@@ -107,7 +118,9 @@ def silhouette(texture: Texture) -> Grey:
         mask = _inside_edges(texture)
     covered = float(np.count_nonzero(mask)) / mask.size
     if not _FILLED[0] < covered < _FILLED[1]:
-        raise ModelError("no closed outline stands out from the ground: a plain ground or a transparent one is expected")
+        raise ModelError(
+            "no closed outline stands out from the ground: a plain ground or a transparent one is expected"
+        )
     smooth = cv2.morphologyEx(mask, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     return _largest(np.asarray(smooth, np.uint8))
 
@@ -135,7 +148,9 @@ def _edge_threshold(picture: Texture) -> float:
 
 
 def _rimmed(mask: Grey) -> Grey:
-    return np.asarray(cv2.copyMakeBorder(mask, _RIM, _RIM, _RIM, _RIM, cv2.BORDER_CONSTANT, value=0), np.uint8)
+    return np.asarray(
+        cv2.copyMakeBorder(mask, _RIM, _RIM, _RIM, _RIM, cv2.BORDER_CONSTANT, value=0), np.uint8
+    )
 
 
 def _largest(mask: Grey) -> Grey:

@@ -30,13 +30,19 @@ class Rig:
         self._present = [(side, fin) for side, fin in enumerate(target.fins) if fin is not None]
         junctions = [point for _, fin in self._present for point in (fin.top, fin.bottom)]
         self._junctions = np.array(junctions).reshape(-1, 2)
-        self._body = RigidDeformation(np.concatenate((self._flat, self._junctions)), target.controls)
-        self._turning = [RigidFin(fin, self._flat, self._skeleton.body_length) for _, fin in self._present]
+        self._body = RigidDeformation(
+            np.concatenate((self._flat, self._junctions)), target.controls
+        )
+        self._turning = [
+            RigidFin(fin, self._flat, self._skeleton.body_length) for _, fin in self._present
+        ]
         self._whole = self._with_fins() if fins == "paper" and self._present else None
 
     def _with_fins(self) -> RigidDeformation:
         tips = np.array([fin.tip for _, fin in self._present])
-        return RigidDeformation(self._flat, np.concatenate((self.target.controls, self._junctions, tips)))
+        return RigidDeformation(
+            self._flat, np.concatenate((self.target.controls, self._junctions, tips))
+        )
 
     def controls(self, angles: Float64s) -> Float64s:
         """Return the body's control points at these angles (22,) [rad], (21, 2)."""

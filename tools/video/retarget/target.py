@@ -46,5 +46,7 @@ class Target:
     @property
     def rest_angles(self) -> Float64s:
         """M_0 of section 6.2: the angles of the rest pose [rad], (22,); a right angle for a fin that is not there."""
-        sides = [0.5 * np.pi if fin is None else float(angle_of(fin.tip - fin.top)) for fin in self.fins]
+        sides = [
+            0.5 * np.pi if fin is None else float(angle_of(fin.tip - fin.top)) for fin in self.fins
+        ]
         return np.concatenate((angle_of(bones(self.controls)), np.array(sides)))
