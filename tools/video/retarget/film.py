@@ -57,9 +57,17 @@ def water(width: int, height: int) -> Colour:
 
 
 def draw(
-    picture: Colour, retargeting: Retargeting, angles: Float64s, placement: Placement, view: View
+    picture: Colour,
+    retargeting: Retargeting,
+    angles: Float64s,
+    placement: Placement,
+    view: View,
+    tilt: float = TILT,
 ) -> None:
-    """Paint the target at these angles (22,) over a picture, in place."""
+    """Paint the target at these angles (22,) over a picture, in place.
+
+    A solid one is seen from `tilt` [rad] off straight above.
+    """
     target = retargeting.target
     plane = view.to_picture(placement.to_picture(retargeting.rig.pose(angles)))
     height = target.vertices[:, 2] * placement.scale * view.scale
@@ -71,9 +79,9 @@ def draw(
     body = np.concatenate((plane, height[:, None]), axis=1)
     places = plane.copy()
     pivot = float(view.to_picture(placement.centre[None])[0, 1])
-    places[:, 1] = pivot + (plane[:, 1] - pivot) * np.cos(TILT) - height * np.sin(TILT)
+    places[:, 1] = pivot + (plane[:, 1] - pivot) * np.cos(tilt) - height * np.sin(tilt)
     # Towards the eye, which stands above and in front of the picture's lower edge.
-    depth = height * np.cos(TILT) + (plane[:, 1] - pivot) * np.sin(TILT)
+    depth = height * np.cos(tilt) + (plane[:, 1] - pivot) * np.sin(tilt)
     paint(picture, places, depth, target.triangles, target.uv, _light(target, body), target.texture)
 
 

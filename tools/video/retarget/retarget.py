@@ -50,10 +50,14 @@ class Retargeting:
 
     def angles(self, frame: int) -> Float64s:
         """Return the target's angles at `frame` [rad], (22,)."""
-        return np.asarray(self.motion.angles[frame] + self._shift)
+        return self.target_angles(self.motion.angles[frame])
+
+    def target_angles(self, angles: Float64s) -> Float64s:
+        """Return the target's angles for angles of the fish [rad], (22,)."""
+        return np.asarray(angles + self._shift)
 
     def motion_angles(self, angles: Float64s) -> Float64s:
-        """Return the fish's angles that make the target's `angles` (22,), the inverse of `angles`."""
+        """Return the fish's angles that make the target's `angles` (22,), the inverse of `target_angles`."""
         return np.asarray(angles - self._shift)
 
     def vertices(self, frame: int) -> Float64s:

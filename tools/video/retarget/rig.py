@@ -74,6 +74,14 @@ class Rig:
             found[side] = pose[fin.vertices[int(np.argmin((near**2).sum(axis=1)))]]
         return found
 
+    def roots(self, angles: Float64s) -> list[Float64s]:
+        """Return the middle of each fin's root, left and right, (2,); the centre where there is no fin."""
+        found = [np.zeros(2), np.zeros(2)]
+        _, junctions = self.body(angles)
+        for (side, _), pair in zip(self._present, junctions.reshape(-1, 2, 2), strict=True):
+            found[side] = pair.mean(axis=0)
+        return found
+
     def _explicit(self, angles: Float64s, junctions: Float64s) -> Float64s:
         """Return all control points of the explicit model (algorithm 4, lines 1 to 4)."""
         tips = []
