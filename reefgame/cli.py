@@ -28,6 +28,9 @@ _NEGATIVE = (
     "--checksum-every",
     "--live",
     "--jobs",
+    "--fps",
+    "--hz",
+    "--select",
 )
 
 
@@ -79,6 +82,7 @@ def _parser() -> argparse.ArgumentParser:
         _add_content,
         _add_soak,
         _add_capture,
+        _add_video,
         _add_bench,
     ):
         add(commands)
@@ -186,6 +190,32 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
     capture.set_defaults(run=_capture)
 
 
+def _add_video(commands: "_Commands[argparse.ArgumentParser]") -> None:
+    video = commands.add_parser("video", help="take a fish's motion from a clip")
+    video.add_argument("clip", type=Path, metavar="CLIP", help="a film of a fish from above")
+    video.add_argument("-o", "--output", type=Path, metavar="OUT.motion", help="where it goes")
+    rate = video.add_mutually_exclusive_group()
+    rate.add_argument(
+        "--fps", type=_rate, metavar="N", help="frames a second of the camera, if not the file's"
+    )
+    rate.add_argument(
+        "--hz", type=_rate, metavar="N", help="or: beats of the tail a second, if those are known"
+    )
+    video.add_argument(
+        "--background",
+        choices=("median", "mog2", "knn", "vibe"),
+        default="median",
+        help="how the ground is told from the fish; vibe is patented, see docs/video.md",
+    )
+    video.add_argument(
+        "--select", type=_place, metavar="X,Y", help="which fish: a pixel that it covers at first"
+    )
+    video.add_argument(
+        "--report", type=Path, metavar="DIR", help="a page with a film and figures, index.html"
+    )
+    video.set_defaults(run=_video)
+
+
 def _add_bench(commands: "_Commands[argparse.ArgumentParser]") -> None:
     bench = commands.add_parser("bench", help="measure, both sides of each ratio in one run")
     bench.add_argument(
@@ -250,6 +280,19 @@ def _point(text: str) -> tuple[float, float, float]:
     if not match:
         raise InputError(f"point '{text}': three numbers in metres are expected, such as 1.5,-2,-6")
     return float(match[1]), float(match[2]), float(match[3])
+
+
+def _rate(text: str) -> float:
+    if not re.fullmatch(r"[0-9]{1,5}(\.[0-9]{1,6})?", text) or not 0.0 < float(text) <= 10_000.0:
+        raise InputError(f"rate '{text}': a number over 0, up to 10000, is expected, such as 29.97")
+    return float(text)
+
+
+def _place(text: str) -> tuple[float, float]:
+    match = re.fullmatch(r"\s*([0-9]{1,5})\s*,\s*([0-9]{1,5})\s*", text)
+    if not match:
+        raise InputError(f"place '{text}': two whole pixels are expected, such as 320,200")
+    return float(match[1]), float(match[2])
 
 
 def _play(options: argparse.Namespace) -> int:
@@ -360,6 +403,17 @@ def _capture(options: argparse.Namespace) -> int:
     return capture_files(
         options.species, options.output, options.report, tuning, options.control_points
     )
+
+
+def _video(options: argparse.Namespace) -> int:
+    from reefgame.clips import Request, check_installed, film_to_motion
+
+    check_installed()
+    from tools.video.follow import Choices
+
+    choices = Choices(options.background, options.select, options.fps, options.hz)
+    film_to_motion(Request(options.clip, options.output, options.report), choices)
+    return 0
 
 
 def _bench(options: argparse.Namespace) -> int:

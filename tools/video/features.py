@@ -12,7 +12,7 @@ from tools.video.faults import Fault, fault_of_axis
 from tools.video.fins import without_fins
 from tools.video.mask import Sighting
 from tools.video.midline import medial_axis, whole_axis
-from tools.video.orientation import continued, head_evidence, is_round, principal
+from tools.video.orientation import continued, shape_of
 from tools.video.pectorals import pectorals_of
 
 
@@ -48,11 +48,12 @@ class Features:
 
 def features_of(sighting: Sighting, before: Float64s | None) -> Features:
     """Return the features of a fish in one frame; `before` (2,) is where its head pointed, None if unknown."""
-    centre, found, ratio = principal(sighting.outline)
-    if is_round(ratio):
+    shape = shape_of(sighting.outline)
+    if shape.is_round:
         return Features(Fault.ROUND, sighting.contrast)
-    ahead = _signed(sighting, centre, found, before)
-    finless = without_fins(sighting.mask, sighting.outline, centre, ahead)
+    likely = shape.axis if shape.lean >= 0.0 else -shape.axis
+    ahead = likely if before is None else continued(shape.axis, before)
+    finless = without_fins(sighting.mask, sighting.outline, shape.centre, ahead)
     length = 0.5 * len(finless.outline)
     fourier = coefficients(evenly(finless.outline, CONTOUR_POINTS, closed=True))
     low = kept(fourier, harmonics_needed(fourier, length))
@@ -64,20 +65,12 @@ def features_of(sighting: Sighting, before: Float64s | None) -> Features:
     return Features(
         fault=fault_of_axis(line, sighting.mask, finless.outline, ahead),
         contrast=sighting.contrast,
-        centre=centre + corner,
+        centre=shape.centre + corner,
         ahead=ahead,
-        evidence=head_evidence(sighting.mask, centre, ahead),
+        evidence=shape.evidence(ahead),
         spine=axis.spine + corner,
         ends=np.stack((axis.head, axis.tail, axis.lobes)) + corner,
         half_width=axis.half_width,
         fins=np.concatenate((fins.tip, fins.junction)) + corner,
         contour=low,
     )
-
-
-def _signed(
-    sighting: Sighting, centre: Float64s, found: Float64s, before: Float64s | None
-) -> Float64s:
-    if before is not None:
-        return continued(found, before)
-    return found if head_evidence(sighting.mask, centre, found) >= 0.0 else -found

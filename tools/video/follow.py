@@ -35,6 +35,8 @@ _LOST: Final = 10
 """Frames without a fish after which the head is looked for anew."""
 _SHADED: Final = 1.15
 """Growth of the fish's area, where all that differs weakly is let in, from which that is shadow and no fin."""
+_ROUNDED: Final = 1
+"""Frames by which a header may err that tells seconds alone."""
 _SURVEYED: Final = 0.35
 """Part of the work that the first pass is."""
 
@@ -262,7 +264,7 @@ def _no_fish(scene: Scene, features: list[Features]) -> str:
 
 def _notes(scene: Scene, assembled: Assembled, choices: Choices) -> Iterator[str]:
     path, found = scene.clip.path, scene.survey
-    if scene.clip.expected > found.count:
+    if scene.clip.expected > found.count + _ROUNDED:
         yield f"{path}: frame {found.count}: the file ends, but its header says {scene.clip.expected} frames"
     for cut in found.cuts:
         yield f"{path}: frame {cut}: the film is cut here; frames {found.first} to {found.stop - 1} are taken"

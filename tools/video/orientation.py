@@ -5,54 +5,64 @@ together settles it once.
 """
 
 from collections.abc import Sequence
-from typing import Final
+from typing import Final, NamedTuple
 
 import cv2
 import numpy as np
 
 from components.arrays import Float64s, Int32s
-from tools.video.images import Grey
 from tools.video.mask import Sighting
 
 _ROUND: Final = 1.15
 """Ratio of principal spreads below which a shape has no direction."""
 
 
-def principal(outline: Int32s) -> tuple[Float64s, Float64s, float]:
-    """Return barycentre [px], unit vector of greatest spread and ratio of spreads of what a contour holds."""
+class Shape(NamedTuple):
+    """Moments of what a contour holds."""
+
+    centre: Float64s
+    "barycentre [px], (2,)"
+    axis: Float64s
+    "unit vector of greatest spread, its sign open, (2,)"
+    ratio: float
+    "greatest spread over least"
+    lean: float
+    "how much speaks for the head lying along the axis: a thin tail leaves the skewness on its side"
+
+    @property
+    def is_round(self) -> bool:
+        """Whether it has no direction."""
+        return self.ratio < _ROUND
+
+    def evidence(self, ahead: Float64s) -> float:
+        """Return how much speaks for the head lying `ahead`, along the axis or against it."""
+        return self.lean if float(self.axis @ ahead) >= 0.0 else -self.lean
+
+
+def shape_of(outline: Int32s) -> Shape:
+    """Return the moments of what a closed contour (n, 2) holds."""
     m = cv2.moments(outline)
     centre = np.array([m["m10"], m["m01"]]) / m["m00"]
     spread = np.array([[m["mu20"], m["mu11"]], [m["mu11"], m["mu02"]]]) / m["m00"]
     values, vectors = np.linalg.eigh(spread)
-    return centre, vectors[:, 1], float(np.sqrt(values[1] / max(values[0], 1e-9)))
-
-
-def is_round(ratio: float) -> bool:
-    """Return whether a shape of this ratio of spreads has no direction."""
-    return ratio < _ROUND
-
-
-def head_evidence(mask: Grey, centre: Float64s, ahead: Float64s) -> float:
-    """Return how much the mask speaks for its head lying `ahead`: minus the skewness along that line.
-
-    A long thin tail behind makes the distribution of pixels lean forwards, towards the heavier half.
-    """
-    y, x = np.nonzero(mask[::2, ::2])
-    along = (2.0 * x - centre[0]) * ahead[0] + (2.0 * y - centre[1]) * ahead[1]
-    along = along - along.mean()
-    return float(-(along**3).mean() / max((along**2).mean() ** 1.5, 1e-9))
+    x, y = vectors[:, 1]
+    third = (
+        x**3 * m["mu30"] + 3 * x**2 * y * m["mu21"] + 3 * x * y**2 * m["mu12"] + y**3 * m["mu03"]
+    )
+    ratio = float(np.sqrt(values[1] / max(values[0], 1e-9)))
+    lean = -float(third / m["m00"] / max(values[1], 1e-9) ** 1.5)
+    return Shape(centre, vectors[:, 1], ratio, lean)
 
 
 def first_heading(sightings: Sequence[Sighting]) -> Float64s:
     """Return the unit vector towards the head in the first of these frames, by what all of them say together."""
-    _, first, _ = principal(sightings[0].outline)
+    first = shape_of(sightings[0].outline).axis
     ahead, evidence = first, 0.0
     for sighting in sightings:
-        centre, found, ratio = principal(sighting.outline)
-        if is_round(ratio):
-            continue
-        ahead = continued(found, ahead)
-        evidence += head_evidence(sighting.mask, centre, ahead)
+        shape = shape_of(sighting.outline)
+        if not shape.is_round:
+            ahead = continued(shape.axis, ahead)
+            evidence += shape.evidence(ahead)
     return first if evidence >= 0.0 else -first
 
 

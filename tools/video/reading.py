@@ -46,13 +46,12 @@ class Clip:
         self.path = path
         with closing(self._open()) as container:
             stream = container.streams.video[0]
-            self.expected = int(stream.frames)
-            "frames that the header promises, 0 where it does not say"
             self.codec = str(stream.codec_context.name)
-            self.duration = float(stream.duration * stream.time_base) if stream.duration else 0.0
             rate = stream.average_rate or stream.guessed_rate
             self.rate = float(rate) if rate else 0.0
             "frames a second by the header, 0 where it does not say"
+            self.expected = int(stream.frames) or round(_duration(container) * self.rate)
+            "frames that the header promises, 0 where it does not say"
         first = self._first()
         shown = _turned(first.to_ndarray(format="gray"), first.rotation)
         self.height, self.width = shown.shape
@@ -76,8 +75,6 @@ class Clip:
 
     def _frame(self, number: int, picture: Any, colour: bool) -> Frame:
         seconds = float("nan") if picture.time is None else float(picture.time)
-        if picture.is_corrupt:
-            return Frame(number, seconds, None)
         shown = self._fitted(picture.to_ndarray(format="rgb24"), picture) if colour else None
         return Frame(number, seconds, self._fitted(_brightness(picture), picture), shown)
 
@@ -112,6 +109,8 @@ class Clip:
             container.close()
             raise ClipError(f"{self.path}: this is a still picture; a clip is expected")
         stream.thread_type = "AUTO"
+        # Without it decoders hide damage behind what they make up.
+        decoder.options = {"err_detect": "crccheck+bitstream+buffer+explode"}
         return container
 
     def _first(self) -> Any:
@@ -123,10 +122,15 @@ class Clip:
         raise ClipError(f"{self.path}: 0 frames can be read, by codec {self.codec}")
 
 
+def _duration(container: Any) -> float:
+    """Return how long a file says that it is [s], 0 where it does not say."""
+    return float(container.duration or 0) / av.time_base
+
+
 def _decoded(container: Any) -> Iterator[Any]:
-    """Yield each decoded picture, None for a packet that does not decode."""
-    stream = container.streams.video[0]
-    packets = container.demux(stream)
+    """Yield each decoded picture, None for one that is damaged, or built on one that is."""
+    packets = container.demux(container.streams.video[0])
+    whole = True
     while True:
         try:
             packet = next(packets, None)
@@ -135,8 +139,11 @@ def _decoded(container: Any) -> Iterator[Any]:
         if packet is None:
             return
         try:
-            yield from packet.decode()
+            for picture in packet.decode():
+                whole = not picture.is_corrupt and (whole or picture.key_frame)
+                yield picture if whole else None
         except av.FFmpegError:
+            whole = False
             yield None
 
 
