@@ -14,6 +14,7 @@ from pathlib import Path
 from components.fault import FaultError
 from reefgame import VERSION
 from reefgame.console import InputError, complain, open_streams, progress_bar, say
+from reefgame.puppets import add_retouch, add_target_options
 
 _LARGEST_SIDE = 16_384
 _LARGEST_SEED = 2**62
@@ -83,6 +84,7 @@ def _parser() -> argparse.ArgumentParser:
         _add_soak,
         _add_capture,
         _add_video,
+        add_retouch,
         _add_bench,
     ):
         add(commands)
@@ -213,6 +215,7 @@ def _add_video(commands: "_Commands[argparse.ArgumentParser]") -> None:
     video.add_argument(
         "--report", type=Path, metavar="DIR", help="a page with a film and figures, index.html"
     )
+    add_target_options(video)
     video.set_defaults(run=_video)
 
 
@@ -407,12 +410,18 @@ def _capture(options: argparse.Namespace) -> int:
 
 def _video(options: argparse.Namespace) -> int:
     from reefgame.clips import Request, check_installed, film_to_motion
+    from reefgame.puppets import film_command
 
     check_installed()
     from tools.video.follow import Choices
 
+    if options.target is not None and options.clip.suffix == ".motion":
+        return film_command(options)
     choices = Choices(options.background, options.select, options.fps, options.hz)
-    film_to_motion(Request(options.clip, options.output, options.report), choices)
+    output = None if options.target is not None else options.output
+    followed = film_to_motion(Request(options.clip, output, options.report), choices)
+    if options.target is not None:
+        return film_command(options, followed.assembled.motion)
     return 0
 
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
+import cv2
 import numpy as np
 
 from components.arrays import Float64s
@@ -17,6 +18,7 @@ WATER: Final = ((196, 226, 230), (120, 178, 194))
 """Ground of the pictures, above and below."""
 TILT: Final = 0.6
 """[rad] from straight above that solid models are seen from, so that they show their backs and sides."""
+_FINE: Final = 2
 _MARGIN: Final = 0.75
 """[BL] of water round the motion."""
 _SUN: Final = (-0.35, -0.45, 0.82)
@@ -102,13 +104,14 @@ def _light(target: Target, places: Float64s) -> Float64s:
 
 
 def frames(retargeting: Retargeting, width: int, height: int) -> Iterator[Colour]:
-    """Yield a picture (height, width, 3) for each frame of the motion; the same array is never given twice."""
-    view = view_of(retargeting.motion, width, height)
-    ground = water(width, height)
+    """Yield a picture (height, width, 3) for each frame of the motion, drawn twice as fine for smooth edges."""
+    fine = _FINE * width, _FINE * height
+    view = view_of(retargeting.motion, *fine)
+    ground = water(*fine)
     for frame in range(retargeting.motion.frames):
         picture = ground.copy()
         draw(picture, retargeting, retargeting.angles(frame), retargeting.placement(frame), view)
-        yield picture
+        yield np.asarray(cv2.resize(picture, (width, height), interpolation=cv2.INTER_AREA), np.uint8)
 
 
 def still(target: Target, width: int, height: int) -> Colour:

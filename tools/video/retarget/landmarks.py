@@ -8,7 +8,6 @@ import numpy as np
 from components.arrays import Float64s
 from tools.video.contour import outline_of
 from tools.video.images import Grey
-from tools.video.orientation import head_evidence, principal
 from tools.video.retarget.skeleton import sampled_axis
 from tools.video.retarget.still_axis import still_axis
 from tools.video.retarget.still_fins import fin_of
@@ -46,11 +45,9 @@ def landmarks(mask: Grey, towards: Float64s | None = None) -> Landmarks:
     `towards` (2,) is where its head points, if that is known; else the heavier half is the head's.
     """
     edge = outline_of(mask)
-    centre, ahead, _ = principal(edge.astype(np.int32))
+    centre, ahead = _principal(mask)
     if towards is not None:
         ahead = _pointed(ahead, towards)
-    elif head_evidence(mask, centre, ahead) < 0.0:
-        ahead = -ahead
     axis = still_axis(mask, edge, centre, ahead)
     found = [fin_of(mask, axis, side) for side in (0, 1)]
     body = mask.copy()
@@ -61,6 +58,18 @@ def landmarks(mask: Grey, towards: Float64s | None = None) -> Landmarks:
     share = float(np.argmin(((axis - centre) ** 2).sum(axis=1))) / (len(axis) - 1)
     marks = [None if fin is None else _mark(edge, *fin) for fin in found]
     return Landmarks(sampled_axis(axis, min(max(share, 0.1), 0.9)), (marks[0], marks[1]), edge)
+
+
+def _principal(mask: Grey) -> tuple[Float64s, Float64s]:
+    """Return the barycentre [px] and the unit vector of greatest spread of a mask, the thinner end behind it."""
+    y, x = np.nonzero(mask)
+    places = np.stack((x, y), axis=1).astype(np.float64)
+    centre = places.mean(axis=0)
+    places -= centre
+    _, vectors = np.linalg.eigh(places.T @ places)
+    ahead = vectors[:, 1]
+    thin_ahead = float(((places @ ahead) ** 3).sum()) > 0.0
+    return centre, -ahead if thin_ahead else ahead
 
 
 def _pointed(ahead: Float64s, towards: Float64s) -> Float64s:
