@@ -7,7 +7,7 @@ import numpy as np
 
 from components.arrays import Float64s
 from tools.video.images import Colour
-from tools.video.retarget.film import View, draw, water
+from tools.video.retarget.film import TILT, View, draw, water
 from tools.video.retarget.intermediate import IntermediateMotion
 from tools.video.retarget.retarget import Placement, Retargeting
 from tools.video.retarget.skeleton import BONES, HEAD, NAMES, angle_of, nearest_turn
@@ -51,6 +51,11 @@ class RetouchStage:
         """Begin with nothing edited."""
         self._play = Retargeting(self.target, self.motion)
         self.session = Session(self.motion.angles, self._play.motion_angles(self.target.rest_angles))
+
+    @property
+    def _tilt(self) -> float:
+        """How far off straight above the model is seen [rad]: fins on a fish's back have no width from there."""
+        return TILT if self.target.solid else 0.0
 
     @property
     def frames(self) -> int:
@@ -107,14 +112,17 @@ class RetouchStage:
     def picture(self, width: int, height: int) -> Colour:
         """Return the model at the frame shown, its head to the right, (height, width, 3)."""
         picture = water(width, height)
-        draw(picture, self._play, self._shown(), _AHEAD, self.view(width, height), tilt=0.0)
+        draw(picture, self._play, self._shown(), _AHEAD, self.view(width, height), self._tilt)
         return picture
 
     def places(self, width: int, height: int) -> dict[int, Float64s]:
         """Return where the handle of each column is in that picture [px], (2,) each."""
         local = self._points(self._shown())
         view = self.view(width, height)
-        return {c: view.to_picture(_AHEAD.to_picture(p[None]))[0] for c, p in local.items()}
+        pivot = 0.5 * (height - 1.0)
+        seen = {c: view.to_picture(_AHEAD.to_picture(p[None]))[0] for c, p in local.items()}
+        flat = np.cos(self._tilt)
+        return {c: np.array([x, pivot + (y - pivot) * flat]) for c, (x, y) in seen.items()}
 
     def grab(self, column: int) -> None:
         """Begin to drag the handle of a column; playing stops."""
@@ -132,7 +140,8 @@ class RetouchStage:
             return
         view = self.view(width, height)
         middle = 0.5 * np.array([width - 1.0, height - 1.0])
-        local = _AHEAD.to_local(((place - middle) / view.scale + view.centre)[None])[0]
+        upright = (place - middle) / np.array([1.0, np.cos(self._tilt)])
+        local = _AHEAD.to_local((upright / view.scale + view.centre)[None])[0]
         shown = self._shown()
         pointed = float(angle_of(local - self._root(shown, drag.column)))
         value = pointed

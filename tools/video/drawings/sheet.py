@@ -48,7 +48,7 @@ class Sheet:
         """Fill a closed shape; `volume` darkens its rim, `inside` keeps it within what is drawn already."""
         line = np.array(points, np.float64) if sharp else curve(points)
         cover = self._cover(line)
-        shade = 1.0
+        shade = np.ones(1)
         if volume > 0.0:
             depth = np.asarray(
                 cv2.distanceTransform((cover > 0.5).astype(np.uint8), cv2.DIST_L2, 5), np.float64
@@ -105,6 +105,10 @@ class Sheet:
 
     def _lay(self, cover: Float64s, colour: Float64s, inside: bool) -> None:
         """Lay a colour over the sheet, whose colours are kept multiplied by their opacity."""
-        share = (cover * self._paint[..., 3] if inside else cover)[..., None]
-        self._paint[..., :3] = self._paint[..., :3] * (1.0 - share) + colour * share
-        self._paint[..., 3:] = self._paint[..., 3:] * (1.0 - share) + share
+        x, y, w, h = cv2.boundingRect((cover > 0.0).astype(np.uint8))
+        part = np.s_[y : y + h, x : x + w]
+        under = self._paint[part]
+        share = (cover[part] * under[..., 3] if inside else cover[part])[..., None]
+        shown = colour[part] if colour.ndim == 3 else colour
+        under[..., :3] = under[..., :3] * (1.0 - share) + shown * share
+        under[..., 3:] = under[..., 3:] * (1.0 - share) + share

@@ -1,14 +1,18 @@
 """A motion without a clip: a wave that runs down the body and fins that beat, for trials, tests and benches."""
 
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
+from tools.video.contour import evenly
+from tools.video.motion import Motion, rebuilt_axis
 from tools.video.retarget.intermediate import IntermediateMotion
-from tools.video.retarget.skeleton import ANGLES, BONES, HEAD, LOW, UP
+from tools.video.retarget.skeleton import ANGLES, BONES, HEAD, LOW, UP, sampled_axis, skeleton_of
 
 _WAVES: Final = 0.95
 """Waves on the body at a time."""
+_STATIONS: Final = 41
 _LEFT, _RIGHT = 3.9, 5.5
 """[rad] at which fins rest."""
 
@@ -41,3 +45,37 @@ def example_motion(
     turn = 0.6 * time
     centre = 1.5 * length * np.stack((np.sin(turn), np.cos(turn)), axis=1)
     return IntermediateMotion(centre, turn, angles, length, rate)
+
+
+def example_clip_motion(frames: int) -> Motion:
+    """Return `example_motion` as a clip would have given it."""
+    played = example_motion(frames)
+    controls = sampled_axis(np.array([[0.0, 0.4], [0.0, -0.6]]), 0.4) * played.length
+    lengths = np.broadcast_to(skeleton_of(controls).lengths, (frames, BONES))
+    motion = Motion(
+        rate=played.rate,
+        first=0,
+        size=(960, 544),
+        centre=played.centre + np.array([480.0, 272.0]),
+        direction=played.direction,
+        head_angle=played.angles[:, UP],
+        tail_angle=played.angles[:, BONES - 1],
+        up_angle=played.angles[:, :UP],
+        low_angle=played.angles[:, HEAD : BONES - 1],
+        fin_angle=played.angles[:, BONES:],
+        head_length=lengths[:, UP],
+        tail_length=lengths[:, BONES - 1],
+        up_length=lengths[:, :UP],
+        low_length=lengths[:, HEAD : BONES - 1],
+        fin_length=np.full((frames, 2), 0.2 * played.length),
+        junction=np.zeros((frames, 4, 2)),
+        folded=np.zeros((frames, 2), np.bool_),
+        axis=np.zeros((frames, _STATIONS, 2), np.float32),
+        half_width=np.full((frames, _STATIONS), 0.08 * played.length, np.float32),
+        confidence=np.ones(frames),
+        fault=np.zeros(frames, np.int8),
+        provenance={"clip": "none: a wave by formula"},
+    )
+    axis = np.stack([evenly(line, _STATIONS) for line in rebuilt_axis(motion)])
+    junction = np.repeat(axis[:, [10, 10, 15, 15]], 1, axis=0)
+    return replace(motion, axis=axis.astype(np.float32), junction=junction)

@@ -44,7 +44,9 @@ def read_gltf(path: Path) -> Mesh:
         parts = _File(path, content).parts()
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from None
-    except (KeyError, IndexError, TypeError, ValueError, struct.error, RecursionError) as error:
+    except (
+        AttributeError, IndexError, KeyError, RecursionError, TypeError, ValueError, struct.error,
+    ) as error:
         raise ModelError(
             f"{path}: this is no sound glTF 2.0 file: {type(error).__name__}: {error}"
         ) from None
@@ -66,6 +68,8 @@ class _File:
             self._json: dict[str, Any] = json.loads(text)
         except (json.JSONDecodeError, UnicodeDecodeError):
             raise ModelError("this is no glTF file") from None
+        if not isinstance(self._json, dict):
+            raise ModelError("this is no glTF file")
         needed = self._json.get("extensionsRequired", [])
         if needed:
             raise ModelError(
