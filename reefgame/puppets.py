@@ -1,4 +1,4 @@
-"""`reefgame video ... --target` and `reefgame retouch`: a motion played by another body, and its fine tuning (papers/003).
+"""`reefgame video --target` and `reefgame retouch`: a motion played by another body, and its tuning (papers/003).
 
 Films are H.264 through PyAV, picture sequences PNG; the models are tools/video/retarget's.
 """
@@ -29,7 +29,9 @@ HEADS: Final = ("up", "down", "left", "right")
 def add_target_options(video: argparse.ArgumentParser) -> None:
     """Add to `reefgame video` what makes a film of another body."""
     video.add_argument(
-        "--target", metavar="MODEL", help="film this picture, mesh, model or species; -o is the film, or a folder of PNG"
+        "--target",
+        metavar="MODEL",
+        help="film this picture, mesh, model or species; -o is the film, or a folder of PNG",
     )
     _model_options(video)
     video.add_argument(
@@ -46,16 +48,22 @@ def add_retouch(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     model.add_argument("--target", metavar="MODEL", help="or a picture, mesh or model")
     _model_options(retouch)
     retouch.add_argument("--mod", type=Path, action="append", default=[], metavar="DIR")
-    retouch.add_argument("-o", "--output", type=Path, metavar="OUT.motion", help="where it is saved")
+    retouch.add_argument(
+        "-o", "--output", type=Path, metavar="OUT.motion", help="where it is saved"
+    )
     retouch.set_defaults(run=run_retouch)
 
 
 def _model_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--head", choices=HEADS, help="where the model's head points in its picture")
+    parser.add_argument(
+        "--head", choices=HEADS, help="where the model's head points in its picture"
+    )
     parser.add_argument("--open", action="store_true", help="take a mesh that has holes")
 
 
-def target_named(name: str, mods: Sequence[Path] = (), head: str | None = None, may_be_open: bool = False) -> "Target":
+def target_named(
+    name: str, mods: Sequence[Path] = (), head: str | None = None, may_be_open: bool = False
+) -> "Target":
     """Return the target that `name` means: a file, a model that ships with the game, or a species.
 
     Raise FaultError, one line.
@@ -79,15 +87,26 @@ def target_named(name: str, mods: Sequence[Path] = (), head: str | None = None, 
     return species_target(species.name, species.body, species.skin)
 
 
-def film_target(motion: "Motion", target: "Target", output: Path, fins: str = "turn", size: tuple[int, int] = (960, 544)) -> None:
-    """Write a film (.mp4) of the target playing the motion, or a folder of PNG. Raise FaultError, nothing half-written."""
+def film_target(
+    motion: "Motion",
+    target: "Target",
+    output: Path,
+    fins: str = "turn",
+    size: tuple[int, int] = (960, 544),
+) -> None:
+    """Write a film (.mp4) of the target playing the motion, or a folder of PNG.
+
+    Raise FaultError with nothing half-written.
+    """
     from tools.video.retarget.film import frames
     from tools.video.retarget.intermediate import intermediate
     from tools.video.retarget.retarget import Retargeting
 
     as_film = output.suffix.lower() == ".mp4"
     if not as_film and output.suffix:
-        raise InputError(f"{output}: a film's name ends in .mp4; a name without an ending is a folder of PNG")
+        raise InputError(
+            f"{output}: a film's name ends in .mp4; a name without an ending is a folder of PNG"
+        )
     check_output(output) if as_film else _check_folder(output)
     played = intermediate(motion).at_rate(FILM_RATE)
     retargeting = Retargeting(target, played, "paper" if fins == "paper" else "turn")

@@ -1,4 +1,4 @@
-"""What the retouch window works on: a motion, the model that plays it, a chosen frame and a chosen angle (papers/003, 6)."""
+"""What the retouch window works on: a motion, its model, a chosen frame and angle (papers/003, section 6)."""
 
 from dataclasses import dataclass, field
 from typing import Final
@@ -50,7 +50,9 @@ class RetouchStage:
     def __post_init__(self) -> None:
         """Begin with nothing edited."""
         self._play = Retargeting(self.target, self.motion)
-        self.session = Session(self.motion.angles, self._play.motion_angles(self.target.rest_angles))
+        self.session = Session(
+            self.motion.angles, self._play.motion_angles(self.target.rest_angles)
+        )
 
     @property
     def _tilt(self) -> float:
@@ -81,7 +83,7 @@ class RetouchStage:
 
     def angles(self) -> Float64s:
         """Return the motion's angles at the frame shown, with the drag in progress, (22,)."""
-        angles = self.session.angles[self.frame].copy()
+        angles: Float64s = self.session.angles[self.frame].copy()
         if self._drag is not None and self._drag.course is not None:
             angles[self._drag.column] = self._drag.course[self.frame]
         return angles
@@ -95,7 +97,9 @@ class RetouchStage:
 
     def original(self) -> Float64s:
         """Return the chosen angle's way from rest as it was captured [rad], (T,)."""
-        return deviation(self.session.original[:, self.column], float(self.session.rest[self.column]))
+        return deviation(
+            self.session.original[:, self.column], float(self.session.rest[self.column])
+        )
 
     def window(self) -> Window:
         """Return the frames that an edit here would reach."""

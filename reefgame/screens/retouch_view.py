@@ -55,18 +55,35 @@ class RetouchView:
         self.canvas.panel(0, 0, width, low, theme.ABYSS, bottom=(2, 10, 17, 255))
         self.buttons = self._add_buttons()
         self._title = self.canvas.text("", 18 * u, low - 24 * u, theme.BODY, order=2)
-        self._when = self.canvas.text("", width - 18 * u, low - 24 * u, theme.SMALL, theme.MIST, "right baseline", order=2)
-        self._said = self.canvas.text("", width - 18 * u, 26 * u, theme.SMALL, theme.SUNLIT, "right center", order=2)
+        self._when = self.canvas.text(
+            "", width - 18 * u, low - 24 * u, theme.SMALL, theme.MIST, "right baseline", order=2
+        )
+        self._said = self.canvas.text(
+            "", width - 18 * u, 26 * u, theme.SMALL, theme.SUNLIT, "right center", order=2
+        )
 
     def _add_buttons(self) -> dict[str, tuple[Box, Panel, Text]]:
         u, found = self._unit, {}
         for at, name in enumerate(BUTTONS):
             box = Box((16 + 94 * at) * u, 12 * u, 86 * u, 30 * u)
             panel = self.canvas.panel(
-                box.x, box.y, box.width, box.height, theme.DEEP, radius=8 * u, rim=theme.RIM, rim_width=1.0, order=1
+                box.x,
+                box.y,
+                box.width,
+                box.height,
+                theme.DEEP,
+                radius=8 * u,
+                rim=theme.RIM,
+                rim_width=1.0,
+                order=1,
             )
             text = self.canvas.text(
-                _FACES[name], box.x + 0.5 * box.width, box.y + 0.5 * box.height, theme.SMALL, anchor="center center", order=2
+                _FACES[name],
+                box.x + 0.5 * box.width,
+                box.y + 0.5 * box.height,
+                theme.SMALL,
+                anchor="center center",
+                order=2,
             )
             found[name] = (box, panel, text)
         return found
@@ -86,7 +103,9 @@ class RetouchView:
         scale = self.width / self._size[0]
         wanted = self.stage.handles
         places = self.stage.places(*self._size)
-        return {c: np.array([places[c][0] * scale, self.height - places[c][1] * scale]) for c in wanted}
+        return {
+            c: np.array([places[c][0] * scale, self.height - places[c][1] * scale]) for c in wanted
+        }
 
     def drag(self, x: float, y: float) -> None:
         """Move the grabbed handle to a place of the window."""
@@ -102,7 +121,9 @@ class RetouchView:
         """Paint everything."""
         width, height = self._size
         picture = self.stage.picture(width, height)
-        self._texture.blit_into(ImageData(width, height, "RGB", picture.tobytes(), -3 * width), 0, 0, 0)
+        self._texture.blit_into(
+            ImageData(width, height, "RGB", picture.tobytes(), -3 * width), 0, 0, 0
+        )
         self._write(said)
         self.canvas.draw()
         self._draw_handles(hovered)
@@ -113,7 +134,9 @@ class RetouchView:
         stage = self.stage
         first, last = stage.window()
         self._title.set(stage.label())
-        self._when.set(f"frame {stage.frame + 1} of {stage.frames}    reaches {first + 1} to {last + 1}")
+        self._when.set(
+            f"frame {stage.frame + 1} of {stage.frames}    reaches {first + 1} to {last + 1}"
+        )
         self._said.set(said)
         lit = {
             "play": True,
@@ -133,7 +156,11 @@ class RetouchView:
             chosen = column == self.stage.column
             size = (7.0 if chosen or column == hovered else 4.5) * self._unit
             self._dot(place, size + 1.5 * self._unit, theme.ABYSS)
-            self._dot(place, size, theme.SUNLIT if chosen else theme.CORAL if column == hovered else theme.FOAM)
+            self._dot(
+                place,
+                size,
+                theme.SUNLIT if chosen else theme.CORAL if column == hovered else theme.FOAM,
+            )
 
     def _dot(self, place: Float64s, radius: float, colour: Colour) -> None:
         turn = np.linspace(0.0, 2.0 * np.pi, 17)

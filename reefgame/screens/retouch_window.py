@@ -75,9 +75,13 @@ class RetouchWindow:
         for column, (x, y) in view.handles().items():
             trace(f"handle {NAMES[column]} {x:.0f} {view.height - y:.0f}")
         for name, (box, _, _) in view.buttons.items():
-            trace(f"button {name} {box.x + 0.5 * box.width:.0f} {view.height - box.y - 0.5 * box.height:.0f}")
+            trace(
+                f"button {name} {box.x + 0.5 * box.width:.0f} {view.height - box.y - 0.5 * box.height:.0f}"
+            )
         box = view.curve
-        trace(f"timeline {box.x:.0f} {box.x + box.width:.0f} {view.height - box.y - 0.5 * box.height:.0f}")
+        trace(
+            f"timeline {box.x:.0f} {box.x + box.width:.0f} {view.height - box.y - 0.5 * box.height:.0f}"
+        )
 
     def on_draw(self) -> None:
         """Advance by the time since the last frame, and draw."""
@@ -135,7 +139,9 @@ class RetouchWindow:
             reached = self.stage.release()
             if reached is not None:
                 self._tell(f"frames {reached.first + 1} to {reached.last + 1} follow")
-                trace(f"edited {NAMES[self.stage.column]} {self.stage.frame} {reached.first} {reached.last}")
+                trace(
+                    f"edited {NAMES[self.stage.column]} {self.stage.frame} {reached.first} {reached.last}"
+                )
         if self._scrubbing:
             trace(f"frame {self.stage.frame}")
         self._dragging = self._scrubbing = False

@@ -65,13 +65,19 @@ class Window:
     def hands(self, *arguments: str) -> str:
         """Let xdotool do something; return what it says."""
         return subprocess.run(
-            ["xdotool", *arguments], env=self._environment, capture_output=True, text=True, check=True
+            ["xdotool", *arguments],
+            env=self._environment,
+            capture_output=True,
+            text=True,
+            check=True,
         ).stdout.strip()
 
     def open(self) -> None:
         """Wait for the window and point at it."""
         self.expect(r"timeline .*")
-        self._window = self.hands("search", "--sync", "--onlyvisible", "--name", "^reefgame$").split()[0]
+        self._window = self.hands(
+            "search", "--sync", "--onlyvisible", "--name", "^reefgame$"
+        ).split()[0]
         self.hands("windowfocus", "--sync", self._window)
 
     def click(self, name: str) -> None:
@@ -82,7 +88,12 @@ class Window:
     def drag(self, start: tuple[int, ...], end: tuple[int, ...]) -> None:
         """Drag from one place to another by way of their middle."""
         between = ((start[0] + end[0]) // 2, (start[1] + end[1]) // 2)
-        for at, deed in ((start, ("mousedown", "1")), (between, ()), (end, ()), (end, ("mouseup", "1"))):
+        for at, deed in (
+            (start, ("mousedown", "1")),
+            (between, ()),
+            (end, ()),
+            (end, ("mouseup", "1")),
+        ):
             self.hands("mousemove", "--window", self._window, str(at[0]), str(at[1]), *deed)
 
     def key(self, name: str) -> None:
@@ -136,7 +147,10 @@ def test_a_dragged_point_takes_its_neighbours_along_and_is_saved(
     assert first <= frame <= last
     window.click("save")
     window.expect("saved")
-    before, after = angles_of(load(motion)), angles_of(load(motion.with_name("swim_retouched.motion")))
+    before, after = (
+        angles_of(load(motion)),
+        angles_of(load(motion.with_name("swim_retouched.motion"))),
+    )
     changed = np.flatnonzero(np.abs(after - before).max(axis=1) > 1e-9)
     assert first <= changed.min() <= changed.max() <= last
     assert abs(after[frame, column] - before[frame, column]) > 0.05

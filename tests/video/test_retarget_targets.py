@@ -11,12 +11,13 @@ from hypothesis import strategies as st
 from reefgame.content import load_species
 from tools.video.drawings.fishes import carp as drawn_carp
 from tools.video.drawings.whale import whale, whale_mesh
+from tools.video.retarget.areas import signed_areas
 from tools.video.retarget.choose import shipped, target_from
 from tools.video.retarget.mesh import welded
 from tools.video.retarget.picture import read_picture, target_of
 from tools.video.retarget.species import species_target
 from tools.video.retarget.target import ModelError, Target
-from tools.video.retarget.triangulation import open_edges, signed_areas, triangulated
+from tools.video.retarget.triangulation import open_edges, triangulated
 
 MODELS = ("carp", "cartoon", "flower", "lobster", "mermaid", "whale")
 
@@ -39,7 +40,7 @@ def smallest_angle(target: Target) -> float:
         u, v = p[:, (i + 1) % 3] - p[:, i], p[:, (i + 2) % 3] - p[:, i]
         cosine = (u * v).sum(axis=1) / np.sqrt((u**2).sum(axis=1) * (v**2).sum(axis=1))
         least = min(least, float(np.arccos(np.clip(cosine, -1, 1)).min()))
-    return np.degrees(least)
+    return float(np.degrees(least))
 
 
 @pytest.mark.parametrize("name", MODELS)
@@ -100,7 +101,9 @@ def test_any_star_shaped_contour_is_meshed_whole(radii: list[float]) -> None:
     points, triangles, border = triangulated(contour, 7.0)
     area = np.abs(signed_areas(points, triangles)).sum()
     edge = points[:border]
-    shoelace = 0.5 * abs(np.sum(edge[:, 0] * np.roll(edge[:, 1], -1) - edge[:, 1] * np.roll(edge[:, 0], -1)))
+    shoelace = 0.5 * abs(
+        np.sum(edge[:, 0] * np.roll(edge[:, 1], -1) - edge[:, 1] * np.roll(edge[:, 0], -1))
+    )
     assert np.isclose(area, shoelace, rtol=1e-6)
     assert len(open_edges(triangles)) == border
 
@@ -208,7 +211,9 @@ def test_pictures_that_show_no_outline_are_told(tmp_path: Path) -> None:
         "plain.png": np.full((200, 300, 3), 90, np.uint8),
         "clear.png": np.zeros((200, 300, 4), np.uint8),
         "tiny.png": np.zeros((8, 8, 3), np.uint8),
-        "speck.png": cv2.circle(np.full((400, 400, 3), 240, np.uint8), (200, 200), 6, (0, 0, 0), -1),
+        "speck.png": cv2.circle(
+            np.full((400, 400, 3), 240, np.uint8), (200, 200), 6, (0, 0, 0), -1
+        ),
     }
     for name, picture in pictures.items():
         cv2.imwrite(str(tmp_path / name), picture)
@@ -222,6 +227,10 @@ def test_pictures_that_show_no_outline_are_told(tmp_path: Path) -> None:
 def test_grey_and_sixteen_bit_pictures_are_read(tmp_path: Path, kind: str) -> None:
     path = tmp_path / "fish.png"
     grey = cv2.cvtColor(on_ground(carp(), 20), cv2.COLOR_RGB2GRAY)
-    picture = {"grey": grey, "deep": grey.astype(np.uint16) * 257, "see-through grey": carp()[..., [2, 1, 0, 3]]}[kind]
+    picture = {
+        "grey": grey,
+        "deep": grey.astype(np.uint16) * 257,
+        "see-through grey": carp()[..., [2, 1, 0, 3]],
+    }[kind]
     cv2.imwrite(str(path), picture)
     assert len(target_from(str(path), "up").triangles) > 3000

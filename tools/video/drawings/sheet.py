@@ -96,7 +96,8 @@ class Sheet:
         )
 
     def _fine(self, line: Float64s) -> NDArray[np.int32]:
-        return np.round((line + np.array([0.5 * WIDTH, 0.0])) * (_FINE * 16)).astype(np.int32)
+        places = (line + np.array([0.5 * WIDTH, 0.0])) * (_FINE * 16)
+        return np.asarray(np.round(places), np.int32)
 
     def _cover(self, line: Float64s) -> Float64s:
         cover = np.zeros(self._paint.shape[:2], np.uint8)

@@ -1,4 +1,4 @@
-"""The whale: a closed mesh with flippers and flukes, swept from sections, written as a .glb of our own (papers/003, fig. 7).
+"""The whale: a closed mesh with flippers and flukes, swept from sections, as a .glb (papers/003, fig. 7).
 
 Its axes are glTF's: y up, the head towards +z. Grooves and spots are painted into a small picture inside the file.
 """
@@ -75,8 +75,14 @@ def _smooth(values: Float64s, at: Float64s) -> Float64s:
     k = np.minimum(at.astype(int), len(values) - 2)
     t = at - k
     a, b, c, d = (padded[k + i] for i in range(4))
-    return 0.5 * (
-        2 * b + (c - a) * t + (2 * a - 5 * b + 4 * c - d) * t**2 + (3 * b - a - 3 * c + d) * t**3
+    return np.asarray(
+        0.5
+        * (
+            2 * b
+            + (c - a) * t
+            + (2 * a - 5 * b + 4 * c - d) * t**2
+            + (3 * b - a - 3 * c + d) * t**3
+        )
     )
 
 

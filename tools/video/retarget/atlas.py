@@ -36,4 +36,4 @@ def placed(uv: Float64s, picture: Texture, start: int) -> Float64s:
     size = np.array([picture.shape[1] - 1.0, picture.shape[0] - 1.0])
     # A whole number is the far edge, not the near one.
     wrapped = np.where((uv >= 0.0) & (uv <= 1.0), uv, uv - np.floor(uv))
-    return wrapped * size + np.array([float(start), 0.0])
+    return np.asarray(wrapped * size + np.array([float(start), 0.0]))

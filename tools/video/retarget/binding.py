@@ -18,13 +18,13 @@ def axes_of(marks: Landmarks) -> Float64s:
 
 def to_local(points: Float64s, marks: Landmarks, scale: float = 1.0) -> Float64s:
     """Return places of the picture [px], (n, 2), in the local frame, a pixel being `scale` units."""
-    return (points - marks.controls[0]) @ axes_of(marks).T * scale
+    return np.asarray((points - marks.controls[0]) @ axes_of(marks).T * scale
 
 
 def bound_fin(
     mark: FinMark, marks: Landmarks, scale: float, vertices: Float64s, triangles: Int64s
 ) -> Fin | None:
-    """Return the fin with the mesh's vertices that lie in it; None where there are none. All local, `vertices` (V, 3)."""
+    """Return the fin with the mesh's vertices that lie in it, None where there are none; all is local."""
     edge = to_local(mark.outline, marks, scale)
     unit = np.ptp(edge, axis=0).max() / 1000.0
     polygon = (edge / unit).astype(np.float32)

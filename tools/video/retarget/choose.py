@@ -22,7 +22,9 @@ HEADS: Final = {"up": (0.0, -1.0), "down": (0.0, 1.0), "left": (-1.0, 0.0), "rig
 def shipped() -> dict[str, Path]:
     """Return the models that ship with the game, by name."""
     folder = Path(str(files("assets"))) / "models"
-    return {path.stem: path for path in sorted(folder.iterdir()) if path.suffix in (*PICTURES, *MESHES)}
+    return {
+        path.stem: path for path in sorted(folder.iterdir()) if path.suffix in (*PICTURES, *MESHES)
+    }
 
 
 def is_file(name: str) -> bool:

@@ -111,7 +111,9 @@ def frames(retargeting: Retargeting, width: int, height: int) -> Iterator[Colour
     for frame in range(retargeting.motion.frames):
         picture = ground.copy()
         draw(picture, retargeting, retargeting.angles(frame), retargeting.placement(frame), view)
-        yield np.asarray(cv2.resize(picture, (width, height), interpolation=cv2.INTER_AREA), np.uint8)
+        yield np.asarray(
+            cv2.resize(picture, (width, height), interpolation=cv2.INTER_AREA), np.uint8
+        )
 
 
 def still(target: Target, width: int, height: int) -> Colour:

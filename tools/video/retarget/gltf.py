@@ -45,7 +45,13 @@ def read_gltf(path: Path) -> Mesh:
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from None
     except (
-        AttributeError, IndexError, KeyError, RecursionError, TypeError, ValueError, struct.error,
+        AttributeError,
+        IndexError,
+        KeyError,
+        RecursionError,
+        TypeError,
+        ValueError,
+        struct.error,
     ) as error:
         raise ModelError(
             f"{path}: this is no sound glTF 2.0 file: {type(error).__name__}: {error}"
@@ -108,7 +114,7 @@ class _File:
     def _view(self, number: int) -> bytes:
         view = self._json["bufferViews"][number]
         start = view.get("byteOffset", 0)
-        return self._buffers[view["buffer"]][start : start + view["byteLength"]]
+        return bytes(self._buffers[view["buffer"]][start : start + view["byteLength"]])
 
     def _accessor(self, number: int) -> AnyArray:
         """Return an accessor's values, (count, width); whole numbers of texture places are brought to 0..1."""
@@ -143,9 +149,9 @@ class _File:
         node = self._json["nodes"][number]
         place = above @ _transform(node)
         if "mesh" in node:
-            for primitive in self._json["meshes"][node["mesh"]]["primitives"]:
-                if primitive.get("mode", _TRIANGLES) == _TRIANGLES:
-                    found.append(self._part(primitive, place))
+            primitives = self._json["meshes"][node["mesh"]]["primitives"]
+            solid = (p for p in primitives if p.get("mode", _TRIANGLES) == _TRIANGLES)
+            found.extend(self._part(primitive, place) for primitive in solid)
         for child in node.get("children", []):
             self._walk(child, place, found, depth + 1)
 

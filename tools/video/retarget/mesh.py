@@ -79,7 +79,7 @@ def _lying(mesh: Mesh, ahead: Float64s | None) -> Float64s:
     up = mesh.up if abs(float(mesh.up @ length)) < _ALONG else vectors[:, 0]
     up = up - (up @ length) * length
     up = up / np.sqrt(up @ up)
-    return centred @ np.stack((np.cross(length, up), length, up), axis=1)
+    return np.asarray(centred @ np.stack((np.cross(length, up), length, up), axis=1))
 
 
 def _silhouette(places: Float64s, triangles: Int64s) -> Grey:

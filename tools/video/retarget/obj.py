@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Final
 
@@ -70,9 +71,7 @@ def _take(read: _Read, words: list[str], path: Path) -> None:
         if len(words) < 4:
             raise ValueError("a face has at least three corners")
         corner = [_corner(read, word) for word in words[1:]]
-        read.triangles.extend(
-            (corner[0], b, c) for b, c in zip(corner[1:], corner[2:], strict=False)
-        )
+        read.triangles.extend((corner[0], b, c) for b, c in pairwise(corner[1:]))
 
 
 def _numbers(words: list[str], count: int) -> tuple[float, ...]:

@@ -96,7 +96,7 @@ def decoded(content: "np.ndarray[tuple[int, ...], np.dtype[np.uint8]]", name: st
         image = cv2.resize(
             image, None, fx=_LARGEST / longest, fy=_LARGEST / longest, interpolation=cv2.INTER_AREA
         )
-    return _rgba(image)
+    return _rgba(np.asarray(image, np.uint8))
 
 
 def _rgba(image: Texture) -> Texture:

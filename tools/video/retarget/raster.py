@@ -23,7 +23,7 @@ def _texel(texture: Texture, u: float, v: float, channel: int) -> float:
     a, b = x - left, y - top
     upper = texture[top, left, channel] * (1.0 - a) + texture[top, left + 1, channel] * a
     lower = texture[top + 1, left, channel] * (1.0 - a) + texture[top + 1, left + 1, channel] * a
-    return upper * (1.0 - b) + lower * b
+    return float(upper * (1.0 - b) + lower * b)
 
 
 @row
@@ -92,7 +92,7 @@ def paint(
 ) -> None:
     """Paint a mesh over a picture (h, w, 3), in place.
 
-    `places` are its vertices in the picture [px], (V, 2), larger `depth` (V,) is nearer, `uv` places in the texture [px],
-    `light` what its colours are multiplied by, (V,). Triangles are painted in order where their depths are equal.
+    `places` are its vertices in the picture [px], (V, 2), larger `depth` (V,) is nearer, `uv` places in the texture
+    [px], `light` what its colours are multiplied by, (V,). Triangles are painted in order where their depths are equal.
     """
     _paint(picture, places, depth, triangles, uv, light, texture)

@@ -33,8 +33,9 @@ class Rig:
         self._body = RigidDeformation(
             np.concatenate((self._flat, self._junctions)), target.controls
         )
-        self._turning = [
-            RigidFin(fin, self._flat, self._skeleton.body_length) for _, fin in self._present
+        sheet = None if target.solid else target.triangles
+        self.fins = [
+            RigidFin(fin, self._flat, self._skeleton.body_length, sheet) for _, fin in self._present
         ]
         self._whole = self._with_fins() if fins == "paper" and self._present else None
 
@@ -49,7 +50,7 @@ class Rig:
         return posed(self._skeleton, angles[:BONES])
 
     def body(self, angles: Float64s) -> tuple[Float64s, Float64s]:
-        """Return vertices (V, 2) and junctions (2 k, 2) after the first level: fins as the body carries them (fig. 5 c)."""
+        """Return vertices (V, 2) and junctions (2 k, 2) after the first level (fig. 5 c)."""
         moved = self._body(self.controls(angles))
         return moved[: len(self._flat)], moved[len(self._flat) :]
 
@@ -59,7 +60,7 @@ class Rig:
         if self._whole is not None:
             return self._whole(self._explicit(angles, junctions))
         for (side, _), fin, (top, bottom) in zip(
-            self._present, self._turning, junctions.reshape(-1, 2, 2), strict=True
+            self._present, self.fins, junctions.reshape(-1, 2, 2), strict=True
         ):
             turn = float(nearest_turn(angles[BONES + side] - self._rest[BONES + side]))
             moved[fin.vertices] = fin(moved[fin.vertices], top, bottom, turn)

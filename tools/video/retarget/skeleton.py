@@ -1,8 +1,8 @@
 """The simplified curve skeleton and its angles: what passes from a fish to a target (papers/003, algorithms 1 to 3).
 
-An axis is sampled at the centre, `UP` points towards the head, the head, `LOW` points towards the tail and the tail. The
-local frame is that of tools/video/motion.py: seen from above, the head towards +y, the right side towards +x. Bones point
-away from the centre, so those of a straight fish stand at pi / 2 ahead of it and at 3 pi / 2 behind.
+An axis is sampled at the centre, `UP` points towards the head, the head, `LOW` points towards the tail and the tail.
+The local frame is that of tools/video/motion.py: seen from above, the head towards +y, the right side towards +x. Bones
+point away from the centre, so those of a straight fish stand at pi / 2 ahead of it and at 3 pi / 2 behind.
 """
 
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ class Skeleton:
 
 
 def sampled_axis(axis: Float64s, centre: float) -> Float64s:
-    """Return the control points of an axis (n, 2), head first, whose centre lies at a fraction of its length, (21, 2)."""
+    """Return the control points (21, 2) of an axis (n, 2), head first, its centre at a fraction of its length."""
     step = np.sqrt((np.diff(axis, axis=0) ** 2).sum(axis=1))
     arc = np.concatenate((np.zeros(1), np.cumsum(step)))
     ahead = centre * (1.0 - np.arange(1, UP + 2) / (UP + 1))

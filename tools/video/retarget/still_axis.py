@@ -1,7 +1,7 @@
-"""The medial axis of one still silhouette, whose tail may be forked and whose parts may be of any width (papers/003, 4.3).
+"""The medial axis of one still silhouette, its tail forked or not, its parts of any width (papers/003, 4.3).
 
-A clip's axis (tools/video/midline.py) may lean on the frames before; a picture has none, and is often seen from the side.
-So chords are taken across the principal direction first and along normals later; in the tail they span both lobes with
+A clip's axis (tools/video/midline.py) may lean on the frames before; a picture has none, and often shows a side. So
+chords are taken across the principal direction first and along normals later; in the tail they span both lobes with
 the notch between.
 """
 

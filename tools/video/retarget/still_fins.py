@@ -1,7 +1,7 @@
 """The paired fins of a still silhouette: where its half width leaps, a fin is rooted (papers/003, section 4.4).
 
-A clip's fins are what an opening with a disc removes (tools/video/fins.py). Models have thick fins, arms, claws and stems
-of any width, so here a fin's root is a bump of the half width along the axis over what surrounds it; junctions are its
+A clip's fins are what an opening with a disc removes (tools/video/fins.py). Models have thick fins, arms, claws and
+stems of any width, so here a root is a bump of the half width along the axis over what surrounds it; junctions are its
 ends, as in Fig. 4, and all of the mask beyond the root is the fin.
 """
 
@@ -54,7 +54,7 @@ def fin_of(mask: Grey, axis: Float64s, side: int) -> tuple[Float64s, Float64s, G
 def _half_width(mask: Grey, axis: Float64s, normal: Float64s, away: Float64s) -> Float64s:
     """Return how far the mask goes unbroken from each station of the axis [px], (n,)."""
     outside = ~inside_along(mask, axis, normal, away)
-    return np.where(outside.any(axis=1), away[outside.argmax(axis=1)], away[-1])
+    return np.asarray(np.where(outside.any(axis=1), away[outside.argmax(axis=1)], away[-1]))
 
 
 def _bumps(width: Float64s, length: float) -> list[tuple[int, int]]:
@@ -95,10 +95,10 @@ def _beyond(mask: Grey, top: Float64s, bottom: Float64s, inner: Float64s) -> Gre
     stretch = 0.06 * (bottom - top) + 2.0 * (bottom - top) / max(
         float(np.sqrt(((bottom - top) ** 2).sum())), 1e-9
     )
-    ends = [tuple(int(round(v)) for v in point) for point in (top - stretch, bottom + stretch)]
+    ends = [tuple(round(float(v)) for v in point) for point in (top - stretch, bottom + stretch)]
     cv2.line(cut, ends[0], ends[1], 0, 2, cv2.LINE_8)
     _, labels = cv2.connectedComponents(cut, connectivity=4)
-    x, y = (int(round(v)) for v in inner)
+    x, y = (round(float(v)) for v in inner)
     held = 0 <= y < mask.shape[0] and 0 <= x < mask.shape[1]
     label = int(labels[y, x]) if held else 0
     return np.asarray((labels == label) & (cut > 0), np.uint8) * np.uint8(255 if label else 0)

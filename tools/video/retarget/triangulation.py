@@ -11,6 +11,7 @@ import numpy as np
 
 from components.arrays import Float64s, Int64s
 from tools.video.contour import evenly
+from tools.video.retarget.areas import signed_areas
 from tools.video.retarget.target import ModelError
 
 _CLEAR: Final = 0.55
@@ -99,10 +100,3 @@ def open_edges(triangles: Int64s) -> Int64s:
     edges = np.sort(np.concatenate((triangles[:, :2], triangles[:, 1:], triangles[:, ::2])), axis=1)
     found, count = np.unique(edges, axis=0, return_counts=True)
     return np.asarray(found[count == 1])
-
-
-def signed_areas(points: Float64s, triangles: Int64s) -> Float64s:
-    """Return the area of each triangle, negative where its corners run the other way, (n,)."""
-    a, b, c = (points[triangles[:, i]] for i in range(3))
-    u, v = b - a, c - a
-    return np.asarray(0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]))

@@ -1,8 +1,8 @@
 """One edit of one angle on one frame, and how far its neighbours follow it (papers/003, eqs. 18 to 21).
 
-Eq. 18 as printed, N = I (1 - f) M + f M', sends the edges of a reversed motion (I = 0) to an angle of 0, whatever the rest
-pose is. Read from the rest pose M_0, as eqs. 19 and 20 are, it sends them there: N - M_0 = I (1 - f) (M - M_0) + f (M' -
-M_0). For I = 1 the two are the same.
+Eq. 18 as printed, N = I (1 - f) M + f M', sends the edges of a reversed motion (I = 0) to an angle of 0, whatever the
+rest pose is. Read from the rest pose M_0, as eqs. 19 and 20 are, it sends them there: N - M_0 = I (1 - f) (M - M_0) +
+f (M' - M_0). For I = 1 the two are the same.
 """
 
 from typing import Final, NamedTuple
@@ -30,7 +30,7 @@ def deviation(values: Float64s, rest: float) -> Float64s:
 
 
 def window_of(away: Float64s, frame: int) -> Window:
-    """Return p and q of a frame: the angle stays on its side of rest between them (eqs. 19, 20); `away` (T,) from rest."""
+    """Return p and q: between them `away` (T,) from rest stays on the side that it has at `frame` (eqs. 19, 20)."""
     other = away * away[frame] < 0.0
     before, after = np.flatnonzero(other[:frame]), np.flatnonzero(other[frame:])
     first = int(before[-1]) + 1 if len(before) else 0

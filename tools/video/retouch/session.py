@@ -34,7 +34,11 @@ class Session:
 
     def __post_init__(self) -> None:
         """Begin with N = M. Raise ValueError where shapes do not fit."""
-        if self.original.ndim != 2 or self.original.shape[1] != ANGLES or self.rest.shape != (ANGLES,):
+        if (
+            self.original.ndim != 2
+            or self.original.shape[1] != ANGLES
+            or self.rest.shape != (ANGLES,)
+        ):
             raise ValueError(f"angles are (T, {ANGLES}) and ({ANGLES},)")
         self.angles = self.original.copy()
 
