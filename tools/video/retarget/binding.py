@@ -18,7 +18,7 @@ def axes_of(marks: Landmarks) -> Float64s:
 
 def to_local(points: Float64s, marks: Landmarks, scale: float = 1.0) -> Float64s:
     """Return places of the picture [px], (n, 2), in the local frame, a pixel being `scale` units."""
-    return np.asarray((points - marks.controls[0]) @ axes_of(marks).T * scale
+    return np.asarray((points - marks.controls[0]) @ axes_of(marks).T * scale)
 
 
 def bound_fin(

@@ -90,8 +90,8 @@ class RigidFin:
     def __call__(self, body: Float64s, top: Float64s, bottom: Float64s, turn: float) -> Float64s:
         """Return the fin's vertices (n, 2): `body` is where the body put them, the junctions are carried.
 
-        `turn` [rad] is from the rest pose in the local frame; what the body turns the root by is taken off, and the rest
-        is held to `limits`.
+        `turn` [rad] is from the rest pose in the local frame; what the body turns the root by is taken off, and what is
+        left is held to `limits`.
         """
         middle = complex(*(0.5 * (top + bottom)))
         rolled = complex(*(bottom - top)) / self._root
