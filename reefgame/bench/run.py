@@ -13,7 +13,7 @@ from reefgame.bench.case import Case
 from reefgame.console import InputError, complain
 from reefgame.output import check_output, replacing
 
-NAMES: Final = ("motor", "minds", "fibres", "step", "view", "startup", "memory")
+NAMES: Final = ("motor", "minds", "fibres", "step", "view", "video", "startup", "memory")
 
 
 def run(names: Sequence[str], output: Path | None) -> int:

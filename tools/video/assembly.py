@@ -18,7 +18,7 @@ from tools.video.features import Features
 from tools.video.images import Bools
 from tools.video.midline import FIRST, LAST, STATIONS, whole_axis
 from tools.video.motion import LOWER, UPPER, Motion, angle_of, lengths_of
-from tools.video.pectorals import along_axis
+from tools.video.pectorals import along_axis, courses
 from tools.video.smooth import noise_for, smoothed
 
 _FEWEST: Final = 3
@@ -206,7 +206,9 @@ class _Measured:
         local = np.full((len(axis), 6, 2), np.nan)
         for k in np.flatnonzero(~folded.all(axis=1)).tolist():
             seen = ~np.isnan(found[k, :, 0])
-            local[k, seen] = np.stack(along_axis(found[k, seen], axis[k]), axis=-1)
+            local[k, seen] = np.stack(
+                along_axis(found[k, seen], axis[k], courses(axis[k])), axis=-1
+            )
         whole = np.stack([self._side(found, local, axis, side) for side in (0, 1)], axis=1)
         smooth = smoothed(whole, self._good, noise)
         junctions = smooth[:, (0, 1, 0, 1), (1, 1, 2, 2)]
@@ -229,8 +231,7 @@ class _Measured:
 
     def _on_edge(self, k: int, axis: Float64s, at: Float64s, sign: float) -> Float64s:
         """Return places on the body's left (sign 1) or right edge at stations `at` of frame k, (m, 2)."""
-        course = np.gradient(axis, axis=0)
-        course /= np.maximum(np.hypot(*course.T), 1e-9)[:, None]
+        course = courses(axis)
         left = np.stack((-course[:, 1], course[:, 0]), axis=-1)
         found = self._features[k].half_width
         width = np.zeros(STATIONS)

@@ -8,6 +8,9 @@ from components.arrays import Float64s
 from tools.video.images import Bools
 
 _FEWEST: Final = 6
+LEAST_AMPLITUDE: Final = 0.006
+"""[lengths] of a tail's swing, below which it is noise."""
+LEAST_CERTAINTY: Final = 0.3
 _LONGEST: Final = 1.25
 """Longest period over the clip's length."""
 
@@ -61,7 +64,10 @@ def beat_of(swing: Float64s, seen: Bools) -> Beat:
     if whole <= 0.0:
         return NONE
     amplitude = _amplitude(at, value, rate)
-    return Beat(1.0 / rate, amplitude, span * rate, 1.0 - float(left[best]) / whole)
+    certainty = 1.0 - float(left[best]) / whole
+    if amplitude < LEAST_AMPLITUDE or certainty < LEAST_CERTAINTY:
+        return NONE
+    return Beat(1.0 / rate, amplitude, span * rate, certainty)
 
 
 def _columns(at: Float64s, rate: float) -> Float64s:

@@ -1,7 +1,7 @@
 """Paints a fish that holds station out of the plate: the median of a pixel that it never leaves is the fish.
 
-At quarter size: hot pixels change over the clip; the dark (or bright) component that overlaps them most, and that the
-median shows too, is the fish. What it covers for much of the clip is grown and filled from around.
+At quarter size: hot pixels change over the clip; the dark (or bright) components that overlap them most, and that the
+median shows too, are fishes. What they cover for much of the clip is grown and filled from around.
 """
 
 from typing import Final
@@ -23,6 +23,8 @@ _OFTEN: Final = 0.3
 _RIM: Final = 0.18
 """Share of a standing body's rim that must be hot: what never moves, as a stone, has none but where a fish passed."""
 _LEAST: Final = 24
+_ALIKE: Final = 0.1
+"""Part of what the likeliest component overlaps that another must, to be looked at too."""
 _MOST: Final = 0.35
 """Share of the frame above which a component is the ground, not a fish."""
 
@@ -55,7 +57,7 @@ def _standing(samples: NDArray[np.uint8], median: Grey) -> Grey | None:
 
 
 def _candidate(small: NDArray[np.uint8], hot: Bools) -> tuple[float, Grey]:
-    """Return how well a dark component of the temporal minimum fits a fish that stays, 0 not at all, and its mask."""
+    """Return how well dark components of the temporal minimum fit fishes that stay, 0 not at all, and their mask."""
     level, swept = cv2.threshold(
         np.min(small, axis=0), 0, 255, cv2.THRESH_BINARY_INV + cv2.THRESH_OTSU
     )
@@ -63,17 +65,23 @@ def _candidate(small: NDArray[np.uint8], hot: Bools) -> tuple[float, Grey]:
     count, labels = cv2.connectedComponents(closed)
     overlap = np.bincount(labels[hot], minlength=count)
     overlap[0] = 0
-    best = int(np.argmax(overlap))
-    shape = labels == best
-    core = np.asarray(shape & (median_of(small) <= level), np.uint8)
-    if best == 0 or shape.mean() > _MOST or core.sum() < _LEAST:
-        return 0.0, small[0]
-    rim = (cv2.dilate(core, np.ones((5, 5), np.uint8)) > 0) & ~(
-        cv2.erode(core, np.ones((3, 3), np.uint8)) > 0
-    )
-    share = float(hot[rim].mean())
-    if share < _RIM:
-        return 0.0, small[0]
-    covered = np.asarray(shape & ((small <= level).mean(axis=0) > _OFTEN), np.uint8)
-    grown = cv2.dilate(covered, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (_GROWN, _GROWN)))
-    return float(overlap[best]) * share, np.asarray(grown, np.uint8)
+    stays = median_of(small) <= level
+    covered = (small <= level).mean(axis=0) > _OFTEN
+    fit, mask = 0.0, np.zeros(hot.shape, np.bool_)
+    for label in np.flatnonzero(overlap > _ALIKE * max(int(overlap.max()), 1)).tolist():
+        shape = labels == label
+        share = _hot_rim(np.asarray(shape & stays, np.uint8), hot)
+        if share >= _RIM and shape.mean() <= _MOST:
+            fit += share * float(overlap[label])
+            mask |= shape & covered
+    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (_GROWN, _GROWN))
+    return fit, np.asarray(cv2.dilate(np.asarray(mask, np.uint8), disc), np.uint8)
+
+
+def _hot_rim(core: Grey, hot: Bools) -> float:
+    """Return which part of a standing body's rim changes, 0 where it is too small to be a body."""
+    if core.sum() < _LEAST:
+        return 0.0
+    outer = cv2.dilate(core, np.ones((5, 5), np.uint8)) > 0
+    inner = cv2.erode(core, np.ones((3, 3), np.uint8)) > 0
+    return float(hot[outer & ~inner].mean())

@@ -65,21 +65,22 @@ class Segmenter:
         self.wary = True
         "whether what differs weakly is fish only within 4 px of what differs strongly: where there are shadows"
 
-    def foreground(self, grey: Grey, box: Box) -> tuple[Grey, Grey]:
-        """Return the mask of all that differs inside `box` (left, top, right, bottom), and the differences."""
+    def differing(self, grey: Grey, box: Box) -> tuple[Grey, Grey | None]:
+        """Return the differences from the plate inside `box`, and what the model takes for foreground."""
         left, top, right, bottom = box
         blurred = blur(grey[top:bottom, left:right])
         difference = np.asarray(cv2.absdiff(blurred, self._plate[top:bottom, left:right]), np.uint8)
+        return difference, self._model.moving(blurred)
+
+    def filtered(self, difference: Grey, moving: Grey | None) -> Grey:
+        """Return the mask of all that differs: threshold with hysteresis, opening, closing."""
         strong = cv2.threshold(difference, self._gate, 255, cv2.THRESH_BINARY)[1]
         weak = cv2.threshold(difference, _WEAK * self._gate, 255, cv2.THRESH_BINARY)[1]
         mask = cv2.bitwise_and(weak, cv2.dilate(strong, _REACH)) if self.wary else weak
-        moving = self._model.moving(blurred)
         if moving is not None:
             mask = cv2.bitwise_and(mask, cv2.dilate(moving, _REACH))
-        mask = cv2.morphologyEx(
-            cv2.morphologyEx(mask, cv2.MORPH_OPEN, _CUT), cv2.MORPH_CLOSE, _JOIN
-        )
-        return np.asarray(mask, np.uint8), difference
+        opened = cv2.morphologyEx(mask, cv2.MORPH_OPEN, _CUT)
+        return np.asarray(cv2.morphologyEx(opened, cv2.MORPH_CLOSE, _JOIN), np.uint8)
 
     def find(self, grey: Grey) -> Sighting | None:
         """Return the fish in this frame, None where it is not seen."""
@@ -113,7 +114,8 @@ class Segmenter:
         return any(side == limit and limit != edge for side, limit, edge in touched)
 
     def _pick(self, grey: Grey, near: Box) -> Sighting | None:
-        mask, difference = self.foreground(grey, near)
+        difference, moving = self.differing(grey, near)
+        mask = self.filtered(difference, moving)
         found, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
         areas = np.array([cv2.contourArea(c) if len(c) > _LEAST_ROUND else 0.0 for c in found])
         if not len(areas) or areas.max() < _LEAST:

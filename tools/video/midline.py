@@ -20,7 +20,7 @@ STATIONS: Final = 41
 FIRST, LAST = 3, 38
 """Stations between which the axis is the middle of the mask; before and after it runs straight to the tips."""
 _SIDES: Final = 129
-_PASSES: Final = 3
+_PASSES: Final = 2
 _STEP: Final = 0.5
 _NEAR_TIP: Final = 0.03
 _FORK: Final = 0.012
@@ -28,6 +28,8 @@ _FORK: Final = 0.012
 _STIFF: Final = 2.0
 _WHOLE_OF_SPINE: Final = (STATIONS - 1) / (LAST - FIRST - 1)
 _ROUND_FIN: Final = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (7, 7))
+_ROOT: Final = (-2, -6)
+"""Stations that say where the tail goes: those after them may lie in one of its lobes."""
 _FEWEST: Final = 12
 """Stations without a fin's root that it takes to bridge the rest."""
 
@@ -62,7 +64,7 @@ _SMOOTH: Final = np.linalg.inv(np.eye(LAST - FIRST) + _STIFFNESS)
 
 def medial_axis(finless: Finless, contour: Float64s, ahead: Float64s) -> Axis:
     """Return the axis of a finless mask whose smooth contour [px] is given, (256, 2); `ahead` points to the head."""
-    line = _paired(contour, ahead)
+    line = paired(contour, ahead)
     reach = 1.6 * finless.radius + 2.0
     shade = _fin_shade(finless)
     for _ in range(_PASSES):
@@ -73,10 +75,11 @@ def medial_axis(finless: Finless, contour: Float64s, ahead: Float64s) -> Axis:
         spoilt = _spoilt(shade, stations, normal, left, right)
         spine = _smoothed(middle, spoilt)
         head = _head_tip(finless.body, spine)
-        tail = _tail_tip(finless.body, finless.outline, spine)
-        line = np.concatenate((head[None], spine, tail[None]))
+        tail, lobes = _tail(finless.body, finless.outline, spine)
+        end = tail if np.isnan(lobes[0]) else lobes
+        line = np.concatenate((head[None], spine, end[None]))
     half_width = 0.5 * (_bridged(left, spoilt) + _bridged(right, spoilt))
-    return Axis(spine, half_width, head, tail, _lobes(finless.outline, spine))
+    return Axis(spine, half_width, head, tail, lobes)
 
 
 def _fin_shade(finless: Finless) -> Grey | None:
@@ -123,7 +126,7 @@ def whole_axis(head: Float64s, spine: Float64s, tail: Float64s) -> Float64s:
     return evenly(np.concatenate((head[None], spine, tail[None])), STATIONS)
 
 
-def _paired(contour: Float64s, ahead: Float64s) -> Float64s:
+def paired(contour: Float64s, ahead: Float64s) -> Float64s:
     """Return the middle of the contour's two sides between head and tail (eq. 1), (129, 2)."""
     away = contour - contour.mean(axis=0)
     along = away @ ahead
@@ -158,9 +161,11 @@ def _chord(body: Grey, line: Float64s, normal: Float64s, reach: float) -> tuple[
 def _sampled(image: Grey, x: Float64s, y: Float64s) -> Grey:
     """Return the pixels nearest to places; beyond the edge those at the edge."""
     height, width = image.shape
-    columns = np.minimum(np.maximum(x + 0.5, 0.0), width - 1).astype(np.intp)
-    rows = np.minimum(np.maximum(y + 0.5, 0.0), height - 1).astype(np.intp)
-    return np.asarray(image[rows, columns])
+    columns = (x + 0.5).astype(np.intp)
+    rows = (y + 0.5).astype(np.intp)
+    np.clip(columns, 0, width - 1, out=columns)
+    np.clip(rows, 0, height - 1, out=rows)
+    return np.asarray(image.ravel()[rows * width + columns])
 
 
 def _first(outside: Bools) -> Float64s:
@@ -187,50 +192,48 @@ def _head_tip(body: Grey, spine: Float64s) -> Float64s:
     return np.asarray(spine[0] + max(steps[at] - 0.5 * _STEP, _STEP) * course)
 
 
-def _tail_end(outline: Float64s, spine: Float64s) -> tuple[Float64s, Float64s, Bools, float]:
-    """Return places of the outline along and aside of the tail's course, which of them are the tail's, and BL [px]."""
-    course = _course(spine, -1, -5)
-    length = float(np.sqrt((np.diff(spine, axis=0) ** 2).sum(axis=1)).sum()) * _WHOLE_OF_SPINE
-    away = outline - spine[-1]
+def _tail(body: Grey, outline: Float64s, spine: Float64s) -> tuple[Float64s, Float64s]:
+    """Return the tail's end, and the mean of its two tips where it is forked, nan where it is not."""
+    origin, course = spine[_ROOT[0]], _course(spine, *_ROOT)
+    step = spine[1:] - spine[:-1]
+    length = float(np.sqrt(step[:, 0] ** 2 + step[:, 1] ** 2).sum()) * _WHOLE_OF_SPINE
+    away = outline - origin
     along = away @ course
     aside = away @ np.array([-course[1], course[0]])
-    near = (along > 0.0) & (np.abs(aside) < 0.2 * length) & (along < 0.3 * length)
-    return along, aside, near, length
-
-
-def _tail_tip(body: Grey, outline: Float64s, spine: Float64s) -> Float64s:
-    """Return the last place inside the mask on the way to the middle of the tail's end."""
-    along, aside, near, length = _tail_end(outline, spine)
-    course = _course(spine, -1, -5)
+    near = (along > 0.0) & (along < 0.3 * length) & (np.abs(aside) < 0.2 * length)
     if not near.any():
-        return np.asarray(spine[-1] + course)
-    far = float(along[near].max())
-    end = aside[near & (along >= far - _NEAR_TIP * length)]
+        return spine[-1] + course, np.full(2, np.nan)
+    profile = np.where(near, along, -np.inf)
+    first = int(profile.argmax())
+    far = float(profile[first])
+    end = aside[profile >= far - _NEAR_TIP * length]
     middle = 0.5 * (end.min() + end.max())
     way = far * course + middle * np.array([-course[1], course[0]])
+    tip = origin + _last_inside(body, origin, way, far) * way
+    return tip, _lobes(outline, profile, first, _FORK * length)
+
+
+def _last_inside(body: Grey, origin: Float64s, way: Float64s, far: float) -> float:
+    """Return the part of a way [px] at which it leaves the mask for the last time."""
     parts = np.arange(0.0, far, _STEP) / far
-    places = spine[-1] + parts[:, None] * way
-    inside = np.flatnonzero(_sampled(body, places[:, 0], places[:, 1]))
-    last = float(parts[inside[-1]]) + 0.5 * _STEP / far if len(inside) else 1.0
-    return np.asarray(spine[-1] + last * way)
+    inside = np.flatnonzero(_sampled(body, origin[0] + parts * way[0], origin[1] + parts * way[1]))
+    return float(parts[inside[-1]]) + 0.5 * _STEP / far if len(inside) else 1.0
 
 
-def _lobes(outline: Float64s, spine: Float64s) -> Float64s:
-    """Return the mean of the two tips of a forked tail, nan where nothing stands out twice."""
-    along, _, near, length = _tail_end(outline, spine)
-    profile = np.where(near, along, -np.inf)
-    first = int(np.argmax(profile))
+def _lobes(outline: Float64s, profile: Float64s, first: int, prominence: float) -> Float64s:
+    """Return the mean of a forked tail's tips, nan where no second one rises by `prominence` [px].
+
+    `profile` says how far the outline reaches at each of its points, minus infinity where it is not the tail.
+    """
     onward = np.concatenate((profile[first:], profile[:first]))
     best, other = 0.0, 0
     for way, sign in ((onward, 1), (np.concatenate((onward[:1], onward[:0:-1])), -1)):
-        ends = np.flatnonzero(~np.isfinite(way))
-        run = way[: ends[0]] if len(ends) else way
-        if len(run) == 0:
-            continue
+        ends = int((way == -np.inf).argmax())
+        run = way[:ends] if ends else way
         rise = run - np.minimum.accumulate(run)
-        at = int(np.argmax(rise))
+        at = int(rise.argmax())
         if rise[at] > best:
             best, other = float(rise[at]), sign * at
-    if best < _FORK * length:
+    if best < prominence:
         return np.full(2, np.nan)
     return np.asarray(0.5 * (outline[first] + outline[(first + other) % len(outline)]))

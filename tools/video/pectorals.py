@@ -33,34 +33,46 @@ def pectorals_of(finless: Finless, axis: Float64s) -> Pectorals:
     if not finless.fins:
         return Pectorals(tip, junction)
     border = np.asarray(cv2.dilate(finless.body, _BORDER), np.uint8)
+    course = courses(axis)
     for fin in finless.fins:
-        side, found, ends = _placed(fin.astype(np.float64), border, axis)
+        side, found, ends = _placed(fin.astype(np.float64), border, axis, course)
         if side >= 0 and np.isnan(tip[side, 0]):
             tip[side], junction[side], junction[2 + side] = found, ends[0], ends[1]
     return Pectorals(tip, junction)
 
 
-def _placed(fin: Float64s, border: Grey, axis: Float64s) -> tuple[int, Float64s, Float64s]:
+def _placed(
+    fin: Float64s, border: Grey, axis: Float64s, course: Float64s
+) -> tuple[int, Float64s, Float64s]:
     """Return a fin's side (0 left, 1 right, -1 no pectoral fin), its tip, and the ends of its root, (2, 2)."""
-    station, aside = along_axis(fin, axis)
+    station, aside = along_axis(fin, axis, course)
     root = border[fin[:, 1].astype(np.intp), fin[:, 0].astype(np.intp)] > 0
     if not root.any():
         return -1, fin[0], fin[:2]
     s = station / (len(axis) - 1)
-    middle = float(np.mean(s[root]))
+    middle = float(s[root].mean())
     if not FRONT < middle < REAR:
         return -1, fin[0], fin[:2]
     at = np.flatnonzero(root)
     ends = fin[[at[np.argmin(s[at])], at[np.argmax(s[at])]]]
-    side = 0 if float(np.median(aside)) > 0.0 else 1
+    side = 0 if float(aside.sum()) > 0.0 else 1
     return side, fin[int(np.argmax(np.abs(aside)))], ends
 
 
-def along_axis(places: Float64s, axis: Float64s) -> tuple[Float64s, Float64s]:
+def courses(axis: Float64s) -> Float64s:
+    """Return unit vectors along an axis (n, 2) towards the tail, (n, 2)."""
+    course = np.empty_like(axis)
+    course[1:-1] = axis[2:] - axis[:-2]
+    course[0], course[-1] = axis[1] - axis[0], axis[-1] - axis[-2]
+    course /= np.maximum(np.sqrt(course[:, 0] ** 2 + course[:, 1] ** 2), 1e-9)[:, None]
+    return course
+
+
+def along_axis(places: Float64s, axis: Float64s, course: Float64s) -> tuple[Float64s, Float64s]:
     """Return the nearest station of each place and how far it lies to the fish's left of the axis [px], (n,) each."""
-    away = places[:, None, :] - axis
-    nearest = np.argmin(away[..., 0] ** 2 + away[..., 1] ** 2, axis=1)
-    course = np.gradient(axis, axis=0)
-    course /= np.maximum(np.sqrt((course**2).sum(axis=1)), 1e-9)[:, None]
-    c, d = course[nearest], away[np.arange(len(places)), nearest]
-    return nearest + 0.0, d[:, 1] * c[:, 0] - d[:, 0] * c[:, 1]
+    x = places[:, :1] - axis[:, 0]
+    y = places[:, 1:] - axis[:, 1]
+    nearest = (x * x + y * y).argmin(axis=1)
+    row = np.arange(len(places))
+    left = y[row, nearest] * course[nearest, 0] - x[row, nearest] * course[nearest, 1]
+    return nearest + 0.0, left

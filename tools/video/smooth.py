@@ -15,7 +15,7 @@ from tools.video.images import Bools
 
 KEPT: Final = 0.998
 """Part of the tail beat's amplitude that smoothing leaves."""
-LEAST_NOISE, MOST_NOISE = 0.01, 30.0
+LEAST_NOISE, MOST_NOISE = 0.001, 30.0
 IN_BETWEENS: Final = 5
 _VAGUE: Final = 1e8
 

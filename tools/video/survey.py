@@ -44,7 +44,11 @@ class Survey:
         """Frames a second by the frames' own times, 0 where they do not say."""
         steps = np.diff(self.seconds)
         steps = steps[np.isfinite(steps) & (steps > 0.0)]
-        return float(1.0 / np.median(steps)) if len(steps) else 0.0
+        if not len(steps):
+            return 0.0
+        # Containers round times to a thousandth of a second: the mean of the steps that are one frame's.
+        usual = np.median(steps)
+        return float(1.0 / steps[np.abs(steps - usual) < 0.25 * usual].mean())
 
 
 @dataclass

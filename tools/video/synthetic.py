@@ -99,7 +99,7 @@ class SyntheticClip:
         away = np.array([s.width / 2, s.height / 2])
         if s.travels:
             away = away + np.array(
-                [0.27 * s.width * np.sin(angle), -0.2 * s.height * np.cos(angle)]
+                [0.27 * s.width * np.sin(angle), -0.08 * s.height * np.cos(angle)]
             )
         turned = np.stack((cos * x - sin * y, sin * x + cos * y), axis=-1)
         return away + s.body_length * turned

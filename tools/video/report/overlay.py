@@ -87,7 +87,9 @@ class Picture:
         x, y = (10, 26) if place is None else (place[0] * self.times, place[1] * self.times)
         font = cv2.FONT_HERSHEY_SIMPLEX
         at = (round(x), round(y))
-        cv2.putText(self.image, text, at, font, size, (255, 255, 255), 4, cv2.LINE_AA)
+        for away in ((-1, -1), (-1, 1), (1, -1), (1, 1), (0, 2), (2, 0), (0, -2), (-2, 0)):
+            near = (at[0] + away[0], at[1] + away[1])
+            cv2.putText(self.image, text, near, font, size, (255, 255, 255), 1, cv2.LINE_AA)
         cv2.putText(self.image, text, at, font, size, colour, 1, cv2.LINE_AA)
 
     def _fixed(self, places: Float64s) -> Int32s:
