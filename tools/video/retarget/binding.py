@@ -1,5 +1,7 @@
 """Puts a mesh and the landmarks of its silhouette together into a target (papers/003, section 3.2)."""
 
+from typing import Final
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -7,6 +9,9 @@ from numpy.typing import NDArray
 from components.arrays import Float64s, Int64s
 from tools.video.retarget.fin import Fin
 from tools.video.retarget.landmarks import FinMark, Landmarks
+
+_NEAR: Final = 2.5
+"""[px] outside a fin's outline at which a vertex still belongs to it."""
 
 
 def axes_of(marks: Landmarks) -> Float64s:
@@ -29,14 +34,14 @@ def bound_fin(
     unit = np.ptp(edge, axis=0).max() / 1000.0
     polygon = (edge / unit).astype(np.float32)
     near = np.flatnonzero(
-        _within(vertices[:, :2], edge.min(axis=0) - unit, edge.max(axis=0) + unit)
+        _within(vertices[:, :2], edge.min(axis=0) - _NEAR * scale, edge.max(axis=0) + _NEAR * scale)
     )
     depth = [
         cv2.pointPolygonTest(polygon, (float(x), float(y)), True)
         for x, y in vertices[near, :2] / unit
     ]
-    # A mesh drawn from the outline has its own border within a pixel of it.
-    inside = near[np.array(depth) > -scale / unit]
+    # A mesh has its own border within a pixel or two of the outline that it was drawn into.
+    inside = near[np.array(depth) > -_NEAR * scale / unit]
     if not len(inside):
         return None
     tip, top, bottom = to_local(np.stack((mark.tip, mark.top, mark.bottom)), marks, scale)

@@ -45,7 +45,7 @@ class Retargeting:
         self.rig = Rig(target, fins)
         self.scale = motion.length / target.skeleton.body_length
         self._shift = np.zeros(BONES + 2)
-        if fins == "turn":
+        if fins != "paper":
             self._shift[BONES:] = target.rest_angles[BONES:] - motion.fin_rest
 
     def angles(self, frame: int) -> Float64s:

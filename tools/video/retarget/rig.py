@@ -2,10 +2,10 @@
 
 Algorithm 3 deforms the implicit model, junctions included; algorithm 4 the explicit one. In "turn" mode, ours, fins are
 rigid and swing as far from their rest as the fish's fins do from theirs; "paper" is algorithm 4 as printed, with the
-fish's fin angles as they are.
+fish's fin angles as they are; "none" stops after the first level (fig. 5 c).
 """
 
-from typing import Final, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
 import numpy as np
 
@@ -15,8 +15,7 @@ from tools.video.retarget.moving_least_squares import RigidDeformation
 from tools.video.retarget.skeleton import BONES, nearest_turn, posed
 from tools.video.retarget.target import Target
 
-FinMode: TypeAlias = Literal["turn", "paper"]
-FIN_MODES: Final[tuple[FinMode, ...]] = ("turn", "paper")
+FinMode: TypeAlias = Literal["turn", "paper", "none"]
 
 
 class Rig:
@@ -38,6 +37,7 @@ class Rig:
             RigidFin(fin, self._flat, self._skeleton.body_length, sheet) for _, fin in self._present
         ]
         self._whole = self._with_fins() if fins == "paper" and self._present else None
+        self._turns = fins == "turn"
 
     def _with_fins(self) -> RigidDeformation:
         tips = np.array([fin.tip for _, fin in self._present])
@@ -59,6 +59,8 @@ class Rig:
         moved, junctions = self.body(angles)
         if self._whole is not None:
             return self._whole(self._explicit(angles, junctions))
+        if not self._turns:
+            return moved
         for (side, _), fin, (top, bottom) in zip(
             self._present, self.fins, junctions.reshape(-1, 2, 2), strict=True
         ):
