@@ -126,7 +126,10 @@ class RetouchStage:
         pivot = 0.5 * (height - 1.0)
         seen = {c: view.to_picture(_AHEAD.to_picture(p[None]))[0] for c, p in local.items()}
         flat = np.cos(self._tilt)
-        return {c: np.array([x, pivot + (y - pivot) * flat]) for c, (x, y) in seen.items()}
+        return {
+            c: np.array([x, pivot + (y - pivot) * flat - self._lift(c, view)])
+            for c, (x, y) in seen.items()
+        }
 
     def grab(self, column: int) -> None:
         """Begin to drag the handle of a column; playing stops."""
@@ -144,7 +147,8 @@ class RetouchStage:
             return
         view = self.view(width, height)
         middle = 0.5 * np.array([width - 1.0, height - 1.0])
-        upright = (place - middle) / np.array([1.0, np.cos(self._tilt)])
+        low = place + np.array([0.0, self._lift(drag.column, view)])
+        upright = (low - middle) / np.array([1.0, np.cos(self._tilt)])
         local = _AHEAD.to_local((upright / view.scale + view.centre)[None])[0]
         shown = self._shown()
         pointed = float(angle_of(local - self._root(shown, drag.column)))
@@ -164,6 +168,13 @@ class RetouchStage:
         """Return the chosen angle's name and its way from rest at the frame shown."""
         degrees = float(np.degrees(self.course()[self.frame]))
         return f"{NAMES[self.column]}  {degrees:+.1f}\u00b0"
+
+    def _lift(self, column: int, view: View) -> float:
+        """Return how much higher a fin's tip stands in the picture than the plane of the axis [px]."""
+        if column < BONES:
+            return 0.0
+        tip = self.target.vertices[self._play.rig.tip_vertex(column - BONES), 2]
+        return float(tip * view.scale * np.sin(self._tilt))
 
     def _shown(self) -> Float64s:
         return self._play.target_angles(self.angles())

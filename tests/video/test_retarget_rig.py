@@ -1,5 +1,7 @@
 """Two-level retargeting as a whole: no flips, rigid fins, films (papers/003, section 5)."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,7 @@ from tools.video.retarget.film import frames, still
 from tools.video.retarget.intermediate import intermediate
 from tools.video.retarget.retarget import Placement, Retargeting
 from tools.video.retarget.skeleton import BONES, HEAD, angle_of, nearest_turn
-from tools.video.retarget.target import Target
+from tools.video.retarget.target import ModelError, Target
 
 
 @pytest.fixture(scope="module")
@@ -123,3 +125,23 @@ def test_a_still_shows_the_head_up(carp: Target) -> None:
     red = np.argwhere(picture[..., 0].astype(int) - picture[..., 2] > 100)
     assert red[:, 0].mean() < 80.0
     assert carp.controls[HEAD, 1] > 0.0
+
+
+def test_junctions_stay_on_the_body(carp: Target) -> None:
+    play = Retargeting(carp, example_motion(30))
+    rest = carp.vertices[:, :2]
+    places = [point for fin in carp.fins if fin is not None for point in (fin.top, fin.bottom)]
+    nearest = [int(np.argmin(((rest - point) ** 2).sum(axis=1))) for point in places]
+    for frame in range(30):
+        moved, junctions = play.rig.body(play.angles(frame))
+        away = np.sqrt(((moved[nearest] - junctions) ** 2).sum(axis=1))
+        before = np.sqrt(((rest[nearest] - np.array(places)) ** 2).sum(axis=1))
+        assert np.abs(away - before).max() < 0.004 * carp.skeleton.body_length
+
+
+def test_a_motion_of_one_frame_plays_and_one_of_other_bones_is_told(carp: Target) -> None:
+    one = example_motion(1).at_rate(30.0)
+    assert len(list(frames(Retargeting(carp, one), 64, 48))) == 1
+    motion = example_clip_motion(3)
+    with pytest.raises(ModelError, match="2 and 15 points"):
+        intermediate(replace(motion, up_angle=motion.up_angle[:, :2]))

@@ -19,7 +19,7 @@ WATER: Final = ((196, 226, 230), (120, 178, 194))
 TILT: Final = 0.6
 """[rad] from straight above that solid models are seen from, so that they show their backs and sides."""
 _FINE: Final = 2
-_MARGIN: Final = 0.75
+_MARGIN: Final = 0.3
 """[BL] of water round the motion."""
 _SUN: Final = (-0.35, -0.45, 0.82)
 """Unit vector towards the sun: right and down in the picture, and up."""
@@ -46,7 +46,10 @@ class View:
 
 def view_of(motion: IntermediateMotion, width: int, height: int) -> View:
     """Return the view of width x height [px] that holds the whole motion."""
-    low, high = motion.centre.min(axis=0), motion.centre.max(axis=0)
+    heading = np.stack((np.cos(motion.direction), -np.sin(motion.direction)), axis=1)
+    reach = 0.5 * motion.length * heading
+    ends = np.concatenate((motion.centre + reach, motion.centre - reach))
+    low, high = ends.min(axis=0), ends.max(axis=0)
     span = high - low + 2.0 * _MARGIN * motion.length
     return View(width, height, 0.5 * (low + high), float(min(width / span[0], height / span[1])))
 

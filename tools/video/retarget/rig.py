@@ -68,13 +68,20 @@ class Rig:
             moved[fin.vertices] = fin(moved[fin.vertices], top, bottom, turn)
         return moved
 
+    def tip_vertex(self, side: int) -> int:
+        """Return the vertex at the tip of the left (0) or right (1) fin. Raise ValueError where there is none."""
+        fin = self.target.fins[side]
+        if fin is None:
+            raise ValueError(f"{self.target.name} has no fin on side {side}")
+        near = self._flat[fin.vertices] - fin.tip
+        return int(fin.vertices[int(np.argmin((near**2).sum(axis=1)))])
+
     def tips(self, angles: Float64s) -> list[Float64s | None]:
         """Return where the tip of each fin is, left and right, (2,) each; None where there is no fin."""
         pose = self.pose(angles)
         found: list[Float64s | None] = [None, None]
-        for side, fin in self._present:
-            near = self._flat[fin.vertices] - fin.tip
-            found[side] = pose[fin.vertices[int(np.argmin((near**2).sum(axis=1)))]]
+        for side, _ in self._present:
+            found[side] = pose[self.tip_vertex(side)]
         return found
 
     def roots(self, angles: Float64s) -> list[Float64s]:
