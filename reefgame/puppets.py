@@ -37,6 +37,9 @@ def add_target_options(video: argparse.ArgumentParser) -> None:
     video.add_argument(
         "--fins", choices=("turn", "paper"), default="turn", help="with --target: how fins move"
     )
+    video.add_argument(
+        "--side", action="store_true", help="with --target: it shows its side, keep its back up"
+    )
 
 
 def add_retouch(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -92,6 +95,7 @@ def film_target(
     target: "Target",
     output: Path,
     fins: str = "turn",
+    beside: bool = False,
     size: tuple[int, int] = (960, 544),
 ) -> None:
     """Write a film (.mp4) of the target playing the motion, or a folder of PNG.
@@ -111,7 +115,7 @@ def film_target(
     played = intermediate(motion).at_rate(FILM_RATE)
     retargeting = Retargeting(target, played, "paper" if fins == "paper" else "turn")
     with progress_bar("filming") as report:
-        pictures = _reported(frames(retargeting, *size), played.frames, report)
+        pictures = _reported(frames(retargeting, *size, beside), played.frames, report)
         if as_film:
             from tools.video.writing import write_film
 
@@ -158,7 +162,7 @@ def film_command(options: argparse.Namespace, motion: "Motion | None" = None) ->
 
     target = target_named(options.target, getattr(options, "mod", ()), options.head, options.open)
     output = options.output or Path(f"{options.clip.stem}_{target.name.rpartition(':')[2]}.mp4")
-    film_target(motion or load(options.clip), target, output, options.fins)
+    film_target(motion or load(options.clip), target, output, options.fins, options.side)
     return 0
 
 

@@ -95,6 +95,14 @@ def test_a_place_in_the_picture_and_back() -> None:
     assert np.allclose(right, 2.5 * np.array([np.sin(0.7), np.cos(0.7)]))
 
 
+def test_a_model_from_the_side_keeps_its_back_up() -> None:
+    right, left = (Placement(np.zeros(2), angle, 1.0, angle > 1.0) for angle in (0.0, np.pi))
+    back = np.array([[-1.0, 0.0]])
+    assert right.to_picture(back)[0, 1] < 0.0
+    assert left.to_picture(back)[0, 1] < 0.0
+    assert np.allclose(left.to_local(left.to_picture(back)), back)
+
+
 def test_a_motion_at_another_rate_passes_through_its_frames() -> None:
     motion = example_motion(20, rate=20.0)
     finer = motion.at_rate(60.0)

@@ -105,17 +105,17 @@ def cartoon() -> Texture:
         (196, 234, 250),
         inside=True,
     )
-    for y in (320, 420, 510):
+    for y, back in ((320, -108), (420, -92), (510, -62)):
         sheet.shape(
             [
-                (-130, y),
-                (-60, y + 14),
+                (back, y),
+                (0.5 * back, y + 12),
                 (0, y + 18),
                 (60, y + 12),
                 (62, y + 38),
                 (0, y + 46),
-                (-60, y + 42),
-                (-130, y + 26),
+                (0.5 * back, y + 40),
+                (back, y + 26),
             ],
             dark,
             inside=True,
@@ -124,5 +124,5 @@ def cartoon() -> Texture:
     sheet.disc(-14, 134, 44, (255, 255, 255))
     sheet.disc(-8, 124, 22, (20, 24, 40))
     sheet.disc(-16, 114, 8, (255, 255, 255))
-    sheet.line([(24, 52), (44, 92), (84, 112)], (150, 40, 60), 6)
+    sheet.line([(38, 46), (66, 70), (60, 112)], (150, 40, 60), 6)
     return sheet.finished()

@@ -1,7 +1,7 @@
 """Pictures of a moving target: the frames of films and PNG sequences (papers/003, figs. 5 to 7)."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import cv2
@@ -106,14 +106,21 @@ def _light(target: Target, places: Float64s) -> Float64s:
     return np.asarray(_DARKEST + (1.15 - _DARKEST) * (0.5 + 0.5 * towards))
 
 
-def frames(retargeting: Retargeting, width: int, height: int) -> Iterator[Colour]:
-    """Yield a picture (height, width, 3) for each frame of the motion, drawn twice as fine for smooth edges."""
+def frames(
+    retargeting: Retargeting, width: int, height: int, beside: bool = False
+) -> Iterator[Colour]:
+    """Yield a picture (height, width, 3) for each frame of the motion, drawn twice as fine for smooth edges.
+
+    Where the model shows its side, `beside`, it is mirrored if it swims to the left more than to the right.
+    """
     fine = _FINE * width, _FINE * height
     view = view_of(retargeting.motion, *fine)
     ground = water(*fine)
+    mirrored = beside and float(np.median(np.cos(retargeting.motion.direction))) < 0.0
     for frame in range(retargeting.motion.frames):
         picture = ground.copy()
-        draw(picture, retargeting, retargeting.angles(frame), retargeting.placement(frame), view)
+        place = replace(retargeting.placement(frame), mirrored=mirrored)
+        draw(picture, retargeting, retargeting.angles(frame), place, view)
         yield np.asarray(
             cv2.resize(picture, (width, height), interpolation=cv2.INTER_AREA), np.uint8
         )

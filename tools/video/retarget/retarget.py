@@ -21,6 +21,8 @@ class Placement:
     "of the head, anticlockwise from the picture's right [rad]"
     scale: float
     "pixels for each of the target's units: the fish's length over the target's"
+    mirrored: bool = False
+    "whether the target's right side is shown on its left"
 
     def to_picture(self, points: Float64s) -> Float64s:
         """Return local points (n, 2) in the picture [px]."""
@@ -34,7 +36,8 @@ class Placement:
     def _axes(self) -> Float64s:
         """The local axes as unit vectors of the picture, rows."""
         cosine, sine = np.cos(self.direction), np.sin(self.direction)
-        return np.array([[sine, cosine], [cosine, -sine]])
+        side = -1.0 if self.mirrored else 1.0
+        return np.array([[side * sine, side * cosine], [cosine, -sine]])
 
 
 class Retargeting:
