@@ -14,12 +14,12 @@ from pathlib import Path
 from components.fault import FaultError
 from reefgame import VERSION
 from reefgame.console import InputError, complain, open_streams, progress_bar, say
+from reefgame.puppets import add_retouch
+from reefgame.video_command import add_video
 
 _LARGEST_SIDE = 16_384
 _LARGEST_SEED = 2**62
 _MOST_JOBS = 1000
-_USUAL_LENGTH = 25.0
-"""[cm] of a filmed fish whose length nobody said."""
 _NEGATIVE = (
     "--from",
     "--at",
@@ -84,7 +84,8 @@ def _parser() -> argparse.ArgumentParser:
         _add_content,
         _add_soak,
         _add_capture,
-        _add_video,
+        add_video,
+        add_retouch,
         _add_bench,
     ):
         add(commands)
@@ -195,46 +196,6 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
     capture.set_defaults(run=_capture)
 
 
-def _add_video(commands: "_Commands[argparse.ArgumentParser]") -> None:
-    video = commands.add_parser("video", help="take a fish's motion from a clip")
-    video.add_argument(
-        "clip",
-        type=Path,
-        metavar="CLIP",
-        help="a film of a fish from above; with --species also a .motion",
-    )
-    video.add_argument("-o", "--output", type=Path, metavar="OUT.motion", help="where it goes")
-    rate = video.add_mutually_exclusive_group()
-    rate.add_argument(
-        "--fps", type=_rate, metavar="N", help="frames a second of the camera, if not the file's"
-    )
-    rate.add_argument(
-        "--hz", type=_rate, metavar="N", help="or: beats of the tail a second, if those are known"
-    )
-    video.add_argument(
-        "--background",
-        choices=("median", "mog2", "knn", "vibe"),
-        default="median",
-        help="how the ground is told from the fish; vibe is patented, see docs/video.md",
-    )
-    video.add_argument(
-        "--select", type=_place, metavar="X,Y", help="which fish: a pixel that it covers at first"
-    )
-    video.add_argument(
-        "--report", type=Path, metavar="DIR", help="a page with a film and figures, index.html"
-    )
-    video.add_argument(
-        "--species", metavar="NAME", help="make a mod NAME of it: the fish as a species, to play"
-    )
-    video.add_argument(
-        "--length-cm",
-        type=_length,
-        metavar="N",
-        help="with --species: how long the fish is, else 25",
-    )
-    video.set_defaults(run=_video)
-
-
 def _add_bench(commands: "_Commands[argparse.ArgumentParser]") -> None:
     bench = commands.add_parser("bench", help="measure, both sides of each ratio in one run")
     bench.add_argument(
@@ -301,35 +262,12 @@ def _jobs(text: str) -> int:
     return jobs
 
 
-def _length(text: str) -> float:
-    from reefgame.filmed import LONGEST, SHORTEST
-
-    if not re.fullmatch(r"[0-9]{1,4}(\.[0-9]+)?", text) or not SHORTEST <= float(text) <= LONGEST:
-        raise InputError(
-            f"length '{text}': centimetres from {SHORTEST:g} to {LONGEST:g} are expected"
-        )
-    return float(text)
-
-
 def _point(text: str) -> tuple[float, float, float]:
     number = r"\s*(-?[0-9]+(?:\.[0-9]+)?)\s*"
     match = re.fullmatch(f"{number},{number},{number}", text)
     if not match:
         raise InputError(f"point '{text}': three numbers in metres are expected, such as 1.5,-2,-6")
     return float(match[1]), float(match[2]), float(match[3])
-
-
-def _rate(text: str) -> float:
-    if not re.fullmatch(r"[0-9]{1,5}(\.[0-9]{1,6})?", text) or not 0.0 < float(text) <= 10_000.0:
-        raise InputError(f"rate '{text}': a number over 0, up to 10000, is expected, such as 29.97")
-    return float(text)
-
-
-def _place(text: str) -> tuple[float, float]:
-    match = re.fullmatch(r"\s*([0-9]{1,5})\s*,\s*([0-9]{1,5})\s*", text)
-    if not match:
-        raise InputError(f"place '{text}': two whole pixels are expected, such as 320,200")
-    return float(match[1]), float(match[2])
 
 
 def _play(options: argparse.Namespace) -> int:
@@ -448,37 +386,6 @@ def _capture(options: argparse.Namespace) -> int:
     return capture_files(
         options.species, options.output, options.report, tuning, options.control_points
     )
-
-
-def _video(options: argparse.Namespace) -> int:
-    from reefgame.clips import Request, check_installed, film_to_motion
-
-    check_installed()
-    from reefgame.filmed import check_species, write_species
-    from tools.video.follow import Choices
-
-    if options.length_cm is not None and options.species is None:
-        raise InputError("--length-cm needs --species")
-    if options.species is not None:
-        check_species(options.species)
-        if options.clip.suffix == ".motion":
-            return _from_motion(options)
-    choices = Choices(options.background, options.select, options.fps, options.hz)
-    followed = film_to_motion(Request(options.clip, options.output, options.report), choices)
-    if options.species is not None:
-        motion = followed.assembled.motion
-        write_species(motion, options.clip, options.species, options.length_cm or _USUAL_LENGTH)
-    return 0
-
-
-def _from_motion(options: argparse.Namespace) -> int:
-    from reefgame.filmed import write_species
-    from tools.video.motion_file import load
-
-    if any((options.output, options.fps, options.hz, options.select, options.report)):
-        raise InputError(f"{options.clip}: -o, --fps, --hz, --select and --report need a clip")
-    write_species(load(options.clip), None, options.species, options.length_cm or _USUAL_LENGTH)
-    return 0
 
 
 def _bench(options: argparse.Namespace) -> int:

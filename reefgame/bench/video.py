@@ -11,6 +11,7 @@ import assets
 from components.repertoire_file import load
 from components.segment import Pattern
 from reefgame.bench.case import Case
+from reefgame.bench.retargeting import measure_retargeting
 from reefgame.content import read_species
 from reefgame.content.anatomy import body_of
 
@@ -33,6 +34,7 @@ def measure() -> Iterator[Case]:
         _film(clip)
         yield from _stages(clip)
         yield _pipeline(clip, Path(folder) / "swim.motion")
+    yield from measure_retargeting()
 
 
 def _film(path: Path) -> None:
