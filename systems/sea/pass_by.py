@@ -90,6 +90,8 @@ class PassBy:
         self._grid = list_spheres(sphere_grid(extent), self._spheres[:, :3], farthest)
         self._near = np.zeros(16)
         self._table = SingularityTable(capacity=MOST)
+        # Once, so that every column holds what it is without a carrier and without waves.
+        self._table.append(MOST)
 
     def __call__(self, alpha: float = 1.0) -> Float32s:
         """Return the fishes that stir plants, as fibres read singularities, (m, 16) with m <= `MOST`.
