@@ -1,12 +1,17 @@
 """The groups of fishes that a level brings in, who is to replace the eaten, and the count of ids given so far."""
 
+from typing import Final
+
 import numpy as np
 
 from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.table import Table, column
 
-NEVER = 1 << 62
+NEVER: Final = 1 << 62
 """The tick of an event that does not come."""
+
+AT_RANDOM: Final = -2.0
+"""Hunger of a group of which the level does not say how hungry it comes."""
 
 
 class CohortTable(Table):
@@ -26,8 +31,8 @@ class CohortTable(Table):
     "tick at which they go, (capacity,)"
     present: Int8s = column(np.int8)
     "1 from arrival until they leave, (capacity,)"
-    hunger: Float64s = column(np.float64, fill=np.nan)
-    "how hungry they come, -1 to 1; NaN: fed at different times, (capacity,)"
+    hunger: Float64s = column(np.float64, fill=AT_RANDOM)
+    "how hungry they come, -1 to 1; `AT_RANDOM`: fed at different times, (capacity,)"
     restock: Int64s = column(np.int64, fill=NEVER)
     "[ticks] from a fish being eaten to another's coming, `NEVER` for none, (capacity,)"
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from components.anemone import Cap
 from components.clock import TICKS_PER_SECOND
-from components.cohort import NEVER, CohortTable
+from components.cohort import AT_RANDOM, NEVER, CohortTable
 from components.flora import Anemone, Flora, Plant, tentacle_cap
 from components.food import GONE, FoodTable, PatchTable
 from components.habitat import Habitat
@@ -41,7 +41,7 @@ def cohorts_of(level: Level, species: list[str]) -> CohortTable:
         table.within[at] = group.within_m
         table.arrives[at] = round(group.arrives_s * TICKS_PER_SECOND)
         table.leaves[at] = _ticks(group.leaves_s, NEVER)
-        table.hunger[at] = np.nan if group.hunger is None else group.hunger
+        table.hunger[at] = AT_RANDOM if group.hunger is None else group.hunger
         table.restock[at] = _ticks(group.restock_s, NEVER)
     return table
 

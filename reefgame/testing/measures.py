@@ -215,7 +215,7 @@ def _from_submarine(o: Observation, of: str) -> Float64s:
 
 def stray_m(o: Observation, of: str, _: str | None) -> float:
     """Return how far [m] from the nearest home point the group is found, at most for 95 % of its time."""
-    way = o.position[:, o.of(of), None] - o.terrain.home[None, None]
+    way = o.position[:, o.of(of), None] - o.terrain.home[None, None, :, :3]
     return float(np.nanpercentile(np.linalg.norm(way, axis=3).min(axis=2), 95))
 
 

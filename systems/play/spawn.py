@@ -13,7 +13,7 @@ import numpy as np
 from components import chance
 from components.arrays import Float64s
 from components.clock import TICKS_PER_SECOND, Clock
-from components.cohort import NEVER, CohortTable, RestockTable, Roster
+from components.cohort import AT_RANDOM, NEVER, CohortTable, RestockTable, Roster
 from components.entities import Entities
 from components.fish import Population
 from components.kernels import row
@@ -166,8 +166,8 @@ class Spawn:
         )
 
     def _set_hunger(self, at: int, hunger: float, kind: Species) -> None:
-        """Let it come as hungry as its group says, NaN where the group says nothing."""
-        if hunger == hunger:
+        """Let it come as hungry as its group says, `AT_RANDOM` where it says nothing."""
+        if hunger != AT_RANDOM:
             mind = self.population.mind
             mind.eaten[at], mind.ate_at[at] = (1.0 - hunger) * kind.temper.appetite, self.clock.now
 

@@ -27,7 +27,7 @@ def recording(tmp_path: Path) -> Path:
 def test_a_recording_is_verified(reefgame: Run, recording: Path) -> None:
     status, out, _ = reefgame("replay", recording, "--verify")
     assert status == 0
-    assert out.startswith("120 ticks, 2 checksums of 12 tables equal")
+    assert out.startswith("120 ticks, 2 checksums of 13 tables equal")
 
 
 def test_a_recording_cut_short_is_verified_to_its_last_checksum(

@@ -70,7 +70,7 @@ SPECIES = {
                 (
                     "unknown key 'shcool'; did you mean 'school'?; allowed are title, like, overrides, "
                     "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim, "
-                    "mind or skin"
+                    "mind, stirs or skin"
                 ),
             )
         ],
@@ -156,7 +156,7 @@ SPECIES = {
                 (
                     "unknown key 'finns'; did you mean 'fins'?; allowed are title, like, overrides, "
                     "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim, "
-                    "mind or skin"
+                    "mind, stirs or skin"
                 ),
             ),
             ("big\n", 0, "must hold keys and values, is the text 'big'"),
@@ -166,7 +166,7 @@ SPECIES = {
                 (
                     "unknown key 'big'; allowed are title, like, overrides, "
                     "role, size_cm, size_spread_percent, sight_m, depth_m, school, body, fins, swim, "
-                    "mind or skin"
+                    "mind, stirs or skin"
                 ),
             ),
         ],
