@@ -18,19 +18,24 @@ long, and what is measured and expected.
 """
 
 from reefgame.testing.dive import Dive, play
+from reefgame.testing.fibre_measures import FIBRE_MEASURES
 from reefgame.testing.measures import MEASURES
 from reefgame.testing.observation import Observation
 from reefgame.testing.scene import Scene, read_scene
+from reefgame.testing.sway import Sway, sway
 from reefgame.testing.watching import Outcome, observe, watch
 
 __all__ = [
+    "FIBRE_MEASURES",
     "MEASURES",
     "Dive",
     "Observation",
     "Outcome",
     "Scene",
+    "Sway",
     "observe",
     "play",
     "read_scene",
+    "sway",
     "watch",
 ]

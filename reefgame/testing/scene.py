@@ -18,6 +18,7 @@ from reefgame.content.schema.level import Group, Level, Objective, PhotographGoa
 from reefgame.content.schema.species import SpeciesFile
 from reefgame.content.schema.validate import node_at, validate
 from reefgame.content.yaml_marks import read, shown
+from reefgame.testing.fibre_measures import FIBRE_MEASURES
 from reefgame.testing.measures import MEASURES
 from reefgame.testing.scene_file import SceneFile
 
@@ -130,6 +131,15 @@ def _unknown_names(file: SceneFile, tree: Mapping) -> Iterable[Problem]:
                 yield _no_such("group", value, groups, tree, "expect", index, key)
         if one.measure not in MEASURES:
             yield _no_such("measure", one.measure, MEASURES, tree, "expect", index, "measure")
+    grown = list(dict.fromkeys(plant.flora for plant in file.plants))
+    for index, fibre in enumerate(file.fibres):
+        at = ("fibres", index)
+        if fibre.of not in grown:
+            yield _no_such("flora among the plants", fibre.of, grown, tree, *at, "of")
+        if fibre.to is not None and fibre.to not in groups:
+            yield _no_such("group", fibre.to, groups, tree, *at, "to")
+        if fibre.measure not in FIBRE_MEASURES:
+            yield _no_such("measure", fibre.measure, FIBRE_MEASURES, tree, *at, "measure")
 
 
 def _no_such(

@@ -90,8 +90,38 @@ class Expectation(Strict):
         return self
 
 
+class FibreExpectation(Strict):
+    """A measure of how the fibres of some plants bend, and the values that pass."""
+
+    measure: Identifier
+    """A key of `reefgame.testing.FIBRE_MEASURES`."""
+    of: Reference
+    """The flora whose plants are measured, as `plants` name it."""
+    to: Identifier | None = None
+    """The group of fishes against which they are measured, where the measure asks for one."""
+    at_least: Expected = None
+    at_most: Expected = None
+
+    @model_validator(mode="after")
+    def _asks(self) -> "FibreExpectation":
+        if self.at_least is None and self.at_most is None:
+            raise PydanticCustomError(
+                "expectation", "nothing is expected: say `at_least` or `at_most`"
+            )
+        return self
+
+
+class Picture(Strict):
+    """Whence and when a scene is looked at."""
+
+    at_s: Seconds = 0.0
+    eye_m: Place
+    at_m: Place
+    """What stands in the middle of the picture."""
+
+
 class SceneFile(Strict):
-    """A scene: a claim about behaviour that holds or does not."""
+    """A scene: a claim about behaviour, or about how plants bend, that holds or does not."""
 
     title: Title
     """The claim, in a few words."""
@@ -116,14 +146,26 @@ class SceneFile(Strict):
     vary: Vary | None = None
     control: dict[str, Any] | None = None
     """Keys of the scene that are other in a control, which must fail: without the cause the claim does not hold."""
-    expect: Annotated[tuple[Expectation, ...], Field(max_length=20)]
+    expect: Annotated[tuple[Expectation, ...], Field(max_length=20)] = ()
+    fibres: Annotated[tuple[FibreExpectation, ...], Field(max_length=20)] = ()
+    """What is expected of the plants, bent as the game draws them."""
+    picture: Picture | None = None
+    """How docs and golden frames show it."""
 
-    @field_validator("fishes", "expect")
+    @field_validator("fishes")
     @classmethod
     def _some(cls, entries: tuple[Strict, ...]) -> tuple[Strict, ...]:
         if not entries:
             raise PydanticCustomError("scene", "there must be at least one")
         return entries
+
+    @model_validator(mode="after")
+    def _claims(self) -> "SceneFile":
+        if not self.expect and not self.fibres:
+            raise PydanticCustomError(
+                "scene", "nothing is claimed: say what to `expect`, or of `fibres`"
+            )
+        return self
 
     @field_validator("expect")
     @classmethod
