@@ -7,8 +7,8 @@
         dive = play("first_dive", Photographer(), seconds=120)
         assert dive.won
 
-A scene is a YAML file of some fifteen lines (tests/scenes has fourteen): who is in what water, in what mood, for how
-long, and what is measured and expected.
+A scene is a YAML file of some fifteen lines (tests/scenes has fifteen, and nine of plants): who is in what water, in
+what mood, for how long, and what is measured and expected.
 
     from reefgame.testing import read_scene, watch
 

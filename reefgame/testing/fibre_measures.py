@@ -98,7 +98,7 @@ def moved_far_m(s: "Sway", of: str, to: str | None) -> float:
 
 
 def follow_share(s: "Sway", of: str, _: str | None) -> float:
-    """Return how far interpolated tips are from where they rest in the end, over how far their guides are; the means."""
+    """Return how far interpolated tips are from where they rest in the end, over that of their guides; the means."""
     fibres = s.of(of)
     moved, follows = np.linalg.norm(s.moved[-1, fibres], axis=1), s.follows[fibres]
     if not follows.any() or not moved[~follows].any():
