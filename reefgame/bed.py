@@ -28,7 +28,7 @@ SETTLING_STEP: Final = 0.125
 _ON_SAND: Final = 0.12
 """[m] from the sand within which a plant's root stands in it."""
 _SHADE: Final = {
-    "foot": (1.6, 0.58),
+    "foot": (1.12, 0.78),
     "blade": (1.1, 0.34),
     "frond": (1.1, 0.34),
     "branch": (1.5, 0.5),

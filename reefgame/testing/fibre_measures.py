@@ -101,9 +101,9 @@ def follow_share(s: "Sway", of: str, _: str | None) -> float:
     """Return how far interpolated tips are from where they rest in the end, over that of their guides; the means."""
     fibres = s.of(of)
     moved, follows = np.linalg.norm(s.moved[-1, fibres], axis=1), s.follows[fibres]
-    if not follows.any() or not moved[~follows].any():
+    if not follows.any() or not moved[np.logical_not(follows)].any():
         return float("nan")
-    return float(moved[follows].mean() / moved[~follows].mean())
+    return float(moved[follows].mean() / moved[np.logical_not(follows)].mean())
 
 
 def stretch_m(s: "Sway", _: str, __: str | None) -> float:

@@ -23,7 +23,7 @@ RINGS: Final = (
     (1.6, 0.2, 0.0),
 )
 """Rings from the inside: times the rock's outline on the sand, metres more, darkness there."""
-FEET: Final = ((0.0, 1.0), (0.85, 0.95), (1.1, 0.5), (1.4, 0.15), (1.8, 0.0))
+FEET: Final = ((0.0, 1.0), (0.92, 1.0), (1.1, 0.55), (1.45, 0.18), (2.1, 0.0))
 """Rings of a plant from the inside: times the radius of its foot, part of its darkness there."""
 FARTHEST: Final = 13.0
 """[m] to which they are drawn: the seabed has its full grid there."""

@@ -60,8 +60,8 @@ def test_without_the_cause_nothing_moves(seen: Seen) -> None:
 
 
 def row(scene: Scene, values: dict[str, float]) -> str:
-    """Return the scene's row of the table: claim, and what was measured."""
-    words = "; ".join(f"{name} {value:.2g}" for name, value in values.items())
+    """Return the scene's row of the table: claim, and what was measured, to a tenth of a millimetre."""
+    words = "; ".join(f"{name} {round(value, 4) + 0.0:.2g}" for name, value in values.items())
     name = f"[{scene.name}](../tests/scenes/sea/{scene.name}.yaml)"
     return f"| {name} | {scene.file.title} | {words} |"
 
