@@ -22,7 +22,7 @@ from reefgame.testing.fibre_measures import FIBRE_MEASURES
 from reefgame.testing.measures import MEASURES
 from reefgame.testing.observation import Observation
 from reefgame.testing.scene import Scene, read_scene
-from reefgame.testing.sway import Sway, sway
+from reefgame.testing.swaying import Sway, sway
 from reefgame.testing.watching import Outcome, observe, watch
 
 __all__ = [

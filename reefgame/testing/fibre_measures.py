@@ -11,7 +11,7 @@ import numpy as np
 from components.arrays import Float64s
 
 if TYPE_CHECKING:
-    from reefgame.testing.sway import Sway
+    from reefgame.testing.swaying import Sway
 
 FibreMeasure: TypeAlias = Callable[["Sway", str, str | None], float]
 

@@ -104,3 +104,12 @@ def test_a_scene_that_claims_nothing_is_refused(tmp_path: Path) -> None:
     path.write_text(text[:begin] + text[end:], encoding="utf-8")
     with pytest.raises(ContentError, match="nothing is claimed"):
         read_scene(path)
+
+
+def test_the_page_s_own_scene_comes_true(tmp_path: Path) -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    text = page[page.index("title: Seagrass") :]
+    path = tmp_path / "own.yaml"
+    path.write_text(text[: text.index("```")], encoding="utf-8")
+    scene = read_scene(path)
+    assert meets(scene, measured(scene, sway(scene))) == [True]

@@ -4,6 +4,7 @@ Arrays hold T samples of F fibres; feet of anemones are left out, since nobody s
 """
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
@@ -11,13 +12,16 @@ from components.arrays import AnyArray, Float64s, Int64s
 from components.clock import TICKS_PER_SECOND
 from components.field import pack
 from components.garden import Garden
-from reefgame.bed import SETTLING_STEP, SETTLING_STEPS, growth_of
 from reefgame.testing.observation import SAMPLE_EVERY, Observation, Observer
 from reefgame.testing.scene import Scene
 from reefgame.testing.stage import Director, stage
 from reefgame.world import World
 from systems.sea.bend import NumbaBender
 from systems.sea.pass_by import PassBy
+from tools.grow.plants import grow
+
+_REST_S: Final = 10.0
+"""[s] in which fibres come to rest where nothing flows, clear of ground and rocks."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +62,8 @@ class _Bed:
     """The plants of a world, bent at every sample of an `Observer`."""
 
     def __init__(self, world: World) -> None:
-        growth, terrain = growth_of(world), world.terrain
+        terrain = world.terrain
+        growth = grow(world.plants, world.floras, terrain)
         rocks = (terrain.rock_centre, terrain.rock_radii, terrain.rock_axes)
         self.world, self.garden, self.bender = world, Garden(growth.tufts, rocks), NumbaBender()
         self._passers = PassBy(
@@ -71,8 +76,8 @@ class _Bed:
         follows = [tuft.guides is not None for tuft in growth.tufts]
         self.follows = np.repeat(follows, many)[self._fibres]
         still = np.zeros((0, 16), np.float32)
-        for _ in range(SETTLING_STEPS):
-            self.bender.step(self.garden, still, SETTLING_STEP)
+        for _ in range(round(10.0 * _REST_S)):
+            self.bender.step(self.garden, still, 0.1)
         self.rest, self._length = self.tips(), self._lengths()
 
     def tips(self) -> Float64s:
