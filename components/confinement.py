@@ -129,7 +129,7 @@ def berth(length: float) -> float:
 
 
 @inlined
-def _in_open_water(terrain: Terrain, x: float, y: float, z: float, margin: float) -> bool:
+def in_open_water(terrain: Terrain, x: float, y: float, z: float, margin: float) -> bool:
     """Say at a glance that a point stands free; False where a closer look is needed, and for no number."""
     limit = terrain.radius - margin
     if not (x * x + y * y < limit * limit and z < -margin and limit > 0.0):
@@ -146,7 +146,7 @@ def confine(terrain: Terrain, position: Float64s, row: int, margin: float) -> bo
     water between the highest ground and the surface: below 1 m.
     """
     p = position[row]
-    if _in_open_water(terrain, p[0], p[1], p[2], margin):
+    if in_open_water(terrain, p[0], p[1], p[2], margin):
         return False
     if not (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < _FARTHEST):
         p[0] = p[1] = p[2] = 0.0

@@ -4,7 +4,7 @@ The data and its tests stand in ground.py, the hard guarantee in confinement.py,
 ground is made in landscape.py.
 """
 
-from components.confinement import MARGIN, berth, confine
+from components.confinement import MARGIN, berth, confine, in_open_water
 from components.ground import (
     Terrain,
     clearance,
@@ -31,6 +31,7 @@ __all__ = [
     "ground",
     "ground_height",
     "ground_normal",
+    "in_open_water",
     "in_sight",
     "rock_clearance",
     "rock_distance",

@@ -18,7 +18,7 @@ from components.fish import Population
 from components.kernels import inlined, loop, row
 from components.repertoire import RepertoireLibrary
 from components.rotation import set_axes, turned
-from components.terrain import Terrain, berth, confine
+from components.terrain import Terrain, berth, confine, in_open_water
 from systems.motor.balance import righting, roll
 from systems.motor.columns import Bodies, Motors, bodies, motors
 from systems.motor.rate import play_at_rate
@@ -118,7 +118,10 @@ def _advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -
 @row
 def _hold_inside(first: int, last: int, fish: Bodies, terrain: Terrain) -> None:
     for i in range(first, last):
-        confine(terrain, fish.position, i, berth(fish.length[i]))
+        p, margin = fish.position[i], berth(fish.length[i])
+        # A call hands over the whole terrain: most fishes need none.
+        if not in_open_water(terrain, p[0], p[1], p[2], margin):
+            confine(terrain, fish.position, i, margin)
 
 
 @row

@@ -21,7 +21,7 @@ ROCKS = st.lists(
 
 @settings(max_examples=60)
 @given(rocks=ROCKS, seed=st.integers(0, 50), margin=st.floats(0.02, 0.9), chance=st.integers(0, 99))
-def test_who_swims_in_open_water_would_not_have_been_moved(
+def test_who_swimsin_open_water_would_not_have_been_moved(
     rocks: list[Rock], seed: int, margin: float, chance: int
 ) -> None:
     terrain = build_terrain(30.0, 12.0, 2.0, 10.0, seed, rocks)
@@ -29,7 +29,7 @@ def test_who_swims_in_open_water_would_not_have_been_moved(
     seen = 0
     for point in points:
         x, y, z = map(float, point)
-        if confinement._in_open_water(terrain, x, y, z, margin):
+        if confinement.in_open_water(terrain, x, y, z, margin):
             seen += 1
             before = point.copy()
             assert not confinement._into_cylinder(terrain, point, margin)
@@ -42,6 +42,6 @@ def test_who_swims_in_open_water_would_not_have_been_moved(
 def test_what_is_no_number_gets_the_closer_look() -> None:
     terrain = build_terrain(30.0, 12.0, 2.0, 10.0, 1)
     for bad in (float("nan"), float("inf"), -float("inf")):
-        assert not confinement._in_open_water(terrain, bad, 0.0, -3.0, 0.1)
-        assert not confinement._in_open_water(terrain, 0.0, 0.0, bad, 0.1)
-    assert confinement._in_open_water(terrain, 0.0, 0.0, -3.0, 0.1)
+        assert not confinement.in_open_water(terrain, bad, 0.0, -3.0, 0.1)
+        assert not confinement.in_open_water(terrain, 0.0, 0.0, bad, 0.1)
+    assert confinement.in_open_water(terrain, 0.0, 0.0, -3.0, 0.1)
