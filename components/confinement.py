@@ -9,7 +9,7 @@ from math import sqrt
 from typing import Final
 
 from components.arrays import Float64s
-from components.ground import Terrain, ground_height, rock_square, to_rock
+from components.ground import Terrain, beyond, ground_height, rock_square, to_rock
 from components.kernels import inlined, row
 
 MARGIN: Final = 0.5
@@ -79,11 +79,9 @@ def _out_of_rocks(terrain: Terrain, p: Float64s, margin: float, level: bool) -> 
     square = rock_square(terrain, p[0], p[1])
     for k in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
         rock = terrain.rock_list[k]
-        centre, radii = terrain.rock_centre[rock], terrain.rock_radii[rock]
-        x, y, z = p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]
-        reach = max(radii[0], max(radii[1], radii[2])) + margin
         # Most rocks of a square are far: their bounding sphere tells without a division.
-        if x * x + y * y + z * z <= reach * reach and _out_of_rock(terrain, rock, p, margin, level):
+        near = not beyond(terrain, rock, p[0], p[1], p[2], margin)
+        if near and _out_of_rock(terrain, rock, p, margin, level):
             moved = True
     return moved
 
@@ -129,25 +127,26 @@ def berth(length: float) -> float:
 
 
 @inlined
-def in_open_water(terrain: Terrain, x: float, y: float, z: float, margin: float) -> bool:
-    """Say at a glance that a point stands free; False where a closer look is needed, and for no number."""
+def _in_open_water(terrain: Terrain, x: float, y: float, z: float, margin: float) -> bool:
+    """Say without a call that a point stands free; False where a closer look is needed, and for no number."""
     limit = terrain.radius - margin
     if not (x * x + y * y < limit * limit and z < -margin and limit > 0.0):
         return False
-    return bool(z > terrain.roof[rock_square(terrain, x, y)] + margin)
+    square = rock_square(terrain, x, y)
+    if z > terrain.roof[square] + margin:
+        return True
+    if not z > ground_height(terrain.height, terrain.extent, terrain.cell, x, y) + margin:
+        return False
+    near = False
+    for k in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
+        near |= not beyond(terrain, terrain.rock_list[k], x, y, z, margin)
+    return not near
 
 
 @row
-def confine(terrain: Terrain, position: Float64s, row: int, margin: float) -> bool:
-    """Move position[row] [m], of (n, 3), out of ground, rock, surface and rim; return if it moved.
-
-    It keeps `margin` [m] from all of them. What stands free stays untouched, so a second call
-    changes nothing. The way from old to new position is the contact's normal. The margin must leave
-    water between the highest ground and the surface: below 1 m.
-    """
+def _bring_out(terrain: Terrain, position: Float64s, row: int, margin: float) -> bool:
+    """Move position[row] as `confine` does, having looked closely."""
     p = position[row]
-    if in_open_water(terrain, p[0], p[1], p[2], margin):
-        return False
     if not (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < _FARTHEST):
         p[0] = p[1] = p[2] = 0.0
     moved = False
@@ -160,3 +159,18 @@ def confine(terrain: Terrain, position: Float64s, row: int, margin: float) -> bo
         moved = True
     _to_free_column(terrain, p, margin)
     return True
+
+
+@inlined
+def confine(terrain: Terrain, position: Float64s, row: int, margin: float) -> bool:
+    """Move position[row] [m], of (n, 3), out of ground, rock, surface and rim; return if it moved.
+
+    It keeps `margin` [m] from all of them. What stands free stays untouched, so a second call
+    changes nothing. The way from old to new position is the contact's normal. The margin must leave
+    water between the highest ground and the surface: below 1 m.
+    """
+    p = position[row]
+    # A call hands over the whole terrain, which takes longer than to see that most stand free.
+    if _in_open_water(terrain, p[0], p[1], p[2], margin):
+        return False
+    return _bring_out(terrain, position, row, margin)

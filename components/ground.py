@@ -192,13 +192,32 @@ def rock_square(terrain: Terrain, x: float, y: float) -> int:
 
 
 @inlined
-def _beyond(terrain: Terrain, rock: int, x: float, y: float, z: float, within: float) -> bool:
+def beyond(terrain: Terrain, rock: int, x: float, y: float, z: float, within: float) -> bool:
     """Return whether a rock is surely farther than `within` [m], by the sphere around it."""
     dx, dy = x - terrain.rock_centre[rock, 0], y - terrain.rock_centre[rock, 1]
     dz = z - terrain.rock_centre[rock, 2]
     a, b, c = terrain.rock_radii[rock, 0], terrain.rock_radii[rock, 1], terrain.rock_radii[rock, 2]
     room = max(a, max(b, c)) + within
     return bool(dx * dx + dy * dy + dz * dz > room * room)
+
+
+@inlined
+def is_clear(terrain: Terrain, x: float, y: float, z: float, within: float) -> bool:
+    """Say without a call that `clearance` is more than `within` [m]; False where that needs a closer look."""
+    square, far = rock_square(terrain, x, y), terrain.radius - within
+    if not (-z > within and far > 0.0 and x * x + y * y < far * far):
+        return False
+    if z - terrain.roof[square] > within and within <= ROOF_REACH:
+        return True
+    h, dx, dy = ground(terrain.height, terrain.extent, terrain.cell, x, y)
+    if not (z - h) * (1.0 / sqrt(dx * dx + dy * dy + 1.0)) > within:
+        return False
+    for k in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
+        rock = terrain.rock_list[k]
+        near = not beyond(terrain, rock, x, y, z, within)
+        if near and not rock_clearance(terrain, rock, x, y, z)[0] > within:
+            return False
+    return True
 
 
 @row
@@ -224,7 +243,7 @@ def clearance(
         if terrain.radius - out < best:
             best, bx, by, bz = terrain.radius - out, -x / (out + 1e-12), -y / (out + 1e-12), 0.0
     for k in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
-        if not _beyond(terrain, terrain.rock_list[k], x, y, z, within):
+        if not beyond(terrain, terrain.rock_list[k], x, y, z, within):
             d, nx, ny, nz = rock_clearance(terrain, terrain.rock_list[k], x, y, z)
             if d < best:
                 best, bx, by, bz = d, nx, ny, nz

@@ -41,6 +41,13 @@ def square_at(grid: SphereGrid, x: float, y: float) -> int:
 
 
 @inlined
+def lists_none(grid: SphereGrid, x: float, y: float) -> bool:
+    """Say whether no sphere is listed for (x, y) [m]."""
+    square = square_at(grid, x, y)
+    return bool(grid.first[square] == grid.first[square + 1])
+
+
+@inlined
 def _span(extent: float, centre: Float64s, k: int, reach: float) -> tuple[int, int, int, int]:
     """Return the first and last row and column of squares that sphere k may reach."""
     x, y, far = centre[k, 0], centre[k, 1], reach * 1.0001 + 1e-6

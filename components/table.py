@@ -7,16 +7,17 @@ A table declares its columns in the class body and documents each one's unit and
         position: Float64s = column(np.float64, 3)
         "[m], (capacity, 3)"
 
-Only rows below `count` live. Views of a column go stale when the table grows, so systems look
-columns up each tick.
+Only rows below `count` live. Arrays of columns go stale when the table grows; `Columns` hands kernels those that hold.
 """
 
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import DTypeLike
 
 from components.arrays import AnyArray, Int64s
+
+_Named = TypeVar("_Named", bound=tuple[Any, ...])
 
 
 class Column(NamedTuple):
@@ -100,3 +101,26 @@ class Table:
             new = np.zeros((self.capacity, *spec.shape), spec.dtype)
             new[: len(old)] = old
             setattr(self, name, new)
+
+
+class Columns(Generic[_Named]):
+    """The columns that a kernel takes, as the NamedTuple `kind` names them: looked up anew when a table has grown."""
+
+    def __init__(self, kind: type[_Named], *tables: Table) -> None:
+        """Take the tables; where two have a column of one name, that of the first counts."""
+        self._kind, self._tables = kind, tables
+        self._look_up()
+
+    def __call__(self) -> _Named:
+        """Return the columns; stale when a table grows."""
+        for table, capacity in zip(self._tables, self._capacities, strict=True):
+            if table.capacity != capacity:
+                self._look_up()
+                break
+        return self._columns
+
+    def _look_up(self) -> None:
+        tables = {name: table for table in reversed(self._tables) for name in table.columns}
+        names: tuple[str, ...] = self._kind._fields  # type: ignore[attr-defined]  # a NamedTuple
+        self._columns = self._kind(*(getattr(tables[name], name) for name in names))
+        self._capacities = [table.capacity for table in self._tables]

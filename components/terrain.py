@@ -4,13 +4,14 @@ The data and its tests stand in ground.py, the hard guarantee in confinement.py,
 ground is made in landscape.py.
 """
 
-from components.confinement import MARGIN, berth, confine, in_open_water
+from components.confinement import MARGIN, berth, confine
 from components.ground import (
     Terrain,
     clearance,
     ground,
     ground_height,
     ground_normal,
+    is_clear,
     rock_clearance,
     rock_distance,
     rock_square,
@@ -31,8 +32,8 @@ __all__ = [
     "ground",
     "ground_height",
     "ground_normal",
-    "in_open_water",
     "in_sight",
+    "is_clear",
     "rock_clearance",
     "rock_distance",
     "rock_on_ground",

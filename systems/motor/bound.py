@@ -12,9 +12,10 @@ import numba
 
 from components.arrays import Float64s, Int32s
 from components.fish import Population
-from components.ground import Terrain, clearance
+from components.ground import Terrain, clearance, is_clear
 from components.kernels import inlined, loop, row
 from components.senses import SenseTable
+from components.table import Columns
 from components.vector import point
 
 PIECES: Final = 64
@@ -58,40 +59,53 @@ def turn_inward(
     return near
 
 
+@inlined
+def _place_ahead(swimmers: Swimmers, i: int, ahead: float) -> tuple[float, float, float]:
+    """Return the place [m] that is `ahead` [m] of row i."""
+    return (
+        swimmers.position[i, 0] + ahead * swimmers.rotation[i, 0, 0],
+        swimmers.position[i, 1] + ahead * swimmers.rotation[i, 1, 0],
+        swimmers.position[i, 2] + ahead * swimmers.rotation[i, 2, 0],
+    )
+
+
+@inlined
+def _look_out(swimmers: Swimmers, i: int) -> float:
+    """Return how far [m] ahead of its middle row i looks out: half its length and where its speed takes it."""
+    dx = swimmers.position[i, 0] - swimmers.last_position[i, 0]
+    dy = swimmers.position[i, 1] - swimmers.last_position[i, 1]
+    dz = swimmers.position[i, 2] - swimmers.last_position[i, 2]
+    speed = 60.0 * _AHEAD_SECONDS * sqrt(dx * dx + dy * dy + dz * dz)
+    return 0.5 * float(swimmers.length[i]) + speed
+
+
+@row
+def _bound_one(
+    terrain: Terrain, i: int, ahead: float, room: float, wide: float, swimmers: Swimmers
+) -> None:
+    """Bound row i, unless all is farther than `wide` [m] from halfway to where it looks."""
+    x, y, z = _place_ahead(swimmers, i, 0.5 * ahead)
+    if clearance(terrain, x, y, z, wide)[0] > wide:
+        return
+    heading = swimmers.heading[i]
+    x, y, z = _place_ahead(swimmers, i, ahead)
+    there = turn_inward(terrain, x, y, z, room, heading)
+    x, y, z = _place_ahead(swimmers, i, 0.0)
+    here = turn_inward(terrain, x, y, z, room, heading)
+    swimmers.urgency[i] = max(swimmers.urgency[i], min(max(here, there), _PRESSING))
+
+
 @row
 def bound_some(terrain: Terrain, girth: Float64s, begin: int, end: int, swimmers: Swimmers) -> None:
     """Bound the fishes of rows begin..end."""
     for i in range(begin, end):
-        length = swimmers.length[i]
-        x, y, z = swimmers.position[i, 0], swimmers.position[i, 1], swimmers.position[i, 2]
-        dx, dy, dz = (
-            x - swimmers.last_position[i, 0],
-            y - swimmers.last_position[i, 1],
-            z - swimmers.last_position[i, 2],
-        )
-        ahead = 0.5 * length + 60.0 * _AHEAD_SECONDS * sqrt(dx * dx + dy * dy + dz * dz)
-        room = (_ROOM + girth[swimmers.species[i]]) * length
-        heading = swimmers.heading[i]
+        ahead = _look_out(swimmers, i)
+        room = (_ROOM + girth[swimmers.species[i]]) * swimmers.length[i]
         wide = room + _SAFELY * 0.5 * ahead
-        middle = clearance(
-            terrain,
-            x + 0.5 * ahead * swimmers.rotation[i, 0, 0],
-            y + 0.5 * ahead * swimmers.rotation[i, 1, 0],
-            z + 0.5 * ahead * swimmers.rotation[i, 2, 0],
-            wide,
-        )[0]
-        if middle > wide:
-            continue
-        there = turn_inward(
-            terrain,
-            x + ahead * swimmers.rotation[i, 0, 0],
-            y + ahead * swimmers.rotation[i, 1, 0],
-            z + ahead * swimmers.rotation[i, 2, 0],
-            room,
-            heading,
-        )
-        here = turn_inward(terrain, x, y, z, room, heading)
-        swimmers.urgency[i] = max(swimmers.urgency[i], min(max(here, there), _PRESSING))
+        x, y, z = _place_ahead(swimmers, i, 0.5 * ahead)
+        # A call hands over the whole terrain: most fishes need none.
+        if not is_clear(terrain, x, y, z, wide):
+            _bound_one(terrain, i, ahead, room, wide, swimmers)
 
 
 @loop
@@ -107,14 +121,11 @@ class Bound:
 
     def __init__(self, population: Population, senses: SenseTable, terrain: Terrain) -> None:
         self.population, self.senses, self.terrain = population, senses, terrain
+        self._swimmers = Columns(Swimmers, population.fish, population.motor)
 
     def __call__(self) -> None:
         """Turn inward whoever is near a boundary."""
-        fish, motor, number = self.population.fish, self.population.motor, self.population.count
-        swimmers = Swimmers(
-            fish.species, fish.length, fish.position, fish.last_position, fish.rotation,
-            motor.heading, motor.urgency,
-        )  # fmt: skip
+        number, swimmers = self.population.count, self._swimmers()
         if number < SERIAL_BELOW:
             bound_some(self.terrain, self.senses.girth, 0, number, swimmers)
         else:

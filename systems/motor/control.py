@@ -15,10 +15,10 @@ import numba
 
 from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.clock import TICK_SECONDS, Clock
-from components.fish import FishTable, Population
+from components.fish import Population
 from components.kernels import inlined, loop, row
-from components.motor import MotorTable
 from components.repertoire import Pattern, RepertoireLibrary
+from components.table import Columns
 from systems.motor.choose import HALF_TURN, Gaits, after, gaits, pick, swim_of_gear
 
 PARALLEL_FROM: Final = 500
@@ -67,13 +67,6 @@ class Swimmers(NamedTuple):
     warp_length: Int32s
     wanted: Int32s
     steer: Float64s
-
-
-def swimmers(fish: FishTable, motor: MotorTable) -> Swimmers:
-    """Return the columns that control reads and writes; stale when the tables grow."""
-    return Swimmers(
-        *(getattr(fish if hasattr(fish, name) else motor, name) for name in Swimmers._fields)
-    )
 
 
 @inlined
@@ -177,11 +170,11 @@ class Control:
         self.population = population
         self.clock = clock
         self.gaits = gaits(library)
+        self._swimmers = Columns(Swimmers, population.fish, population.motor)
 
     def __call__(self) -> None:
         """Choose segment and steering of every fish for this tick."""
-        count = self.population.count
-        fish = swimmers(self.population.fish, self.population.motor)
+        count, fish = self.population.count, self._swimmers()
         seed, tick = int(self.clock.seed[0]), self.clock.now
         if count < PARALLEL_FROM:
             control_rows(0, count, fish, self.gaits, seed, tick)

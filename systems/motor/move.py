@@ -18,9 +18,10 @@ from components.fish import Population
 from components.kernels import inlined, loop, row
 from components.repertoire import RepertoireLibrary
 from components.rotation import set_axes, turned
-from components.terrain import Terrain, berth, confine, in_open_water
+from components.table import Columns
+from components.terrain import Terrain, berth, confine
 from systems.motor.balance import righting, roll
-from systems.motor.columns import Bodies, Motors, bodies, motors
+from systems.motor.columns import Bodies, Motors
 from systems.motor.rate import play_at_rate
 from systems.motor.track import Track, track
 from systems.motor.warp import change, fade, wait
@@ -118,10 +119,7 @@ def _advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -
 @row
 def _hold_inside(first: int, last: int, fish: Bodies, terrain: Terrain) -> None:
     for i in range(first, last):
-        p, margin = fish.position[i], berth(fish.length[i])
-        # A call hands over the whole terrain: most fishes need none.
-        if not in_open_water(terrain, p[0], p[1], p[2], margin):
-            confine(terrain, fish.position, i, margin)
+        confine(terrain, fish.position, i, berth(fish.length[i]))
 
 
 @row
@@ -155,11 +153,12 @@ class Move:
         self.population = population
         self.terrain = terrain
         self.clock = clock
+        self._bodies = Columns(Bodies, population.fish)
+        self._motors = Columns(Motors, population.motor)
         self.track = track(library, literal=gliding == "paper")
 
     def __call__(self) -> None:
         """Move every fish by one tick."""
         count = self.population.count
         kernel = move_serial if count < PARALLEL_FROM else move_parallel
-        fish, motor = bodies(self.population.fish), motors(self.population.motor)
-        kernel(count, fish, motor, self.track, self.terrain)
+        kernel(count, self._bodies(), self._motors(), self.track, self.terrain)

@@ -18,6 +18,7 @@ from components.index import Places, row_of
 from components.kernels import inlined, row
 from components.mind import FOOD, Intention
 from components.senses import FISH_GRAMS, SWALLOWED, SenseTable
+from components.table import Columns
 from systems.play.spawn import Spawn
 
 SUCK_TICKS: Final = TICKS_PER_SECOND // 5
@@ -98,36 +99,45 @@ def fill(mouths: Mouths, eater: int, senses: SenseTable, grams: float, now: int)
 
 
 @row
+def list_held(mouths: Mouths, count: int, places: Places, held: Int64s, holder: Int64s) -> int:
+    """List the rows of who is in a mouth and of who holds each, -1 where that has let go; return their number."""
+    many = 0
+    for i in range(count):
+        if mouths.swallowed_by[i] >= 0:
+            eater = row_of(places, mouths.swallowed_by[i])
+            if eater >= 0 and mouths.swallowed_by[eater] >= 0:
+                eater = -1
+            held[many], holder[many], many = i, eater, many + 1
+    return many
+
+
+@row
 def suck_fishes(
     mouths: Mouths,
-    count: int,
-    places: Places,
+    many: int,
     senses: SenseTable,
     now: int,
     held: Int64s,
+    holder: Int64s,
     busy: Int8s,
     swallowed: Int64s,
 ) -> int:
-    """Draw in the fishes that are held, and write the ids of those that are in; return their number.
+    """Draw in the `many` fishes that are held, and write the ids of those that are in; return their number.
 
-    `held` (count,) and `busy` (count,) are scratch; busy tells whose mouth is full.
+    `busy`, (count,), is told whose mouth is full.
     """
     number = 0
-    for i in range(count):
-        held[i], busy[i] = -1, 0
-        if mouths.swallowed_by[i] >= 0:
-            eater = row_of(places, mouths.swallowed_by[i])
-            held[i] = eater if eater >= 0 and mouths.swallowed_by[eater] < 0 else -2
-    for i in range(count):
-        if held[i] == -2:
+    for at in range(many):
+        i, eater = held[at], holder[at]
+        if eater < 0:
             mouths.swallowed_by[i] = -1
-        elif held[i] >= 0:
-            busy[held[i]] = 1
-            if draw_in(mouths, held[i], senses, mouths.position[i], mouths.last_position[i]):
-                grams = FISH_GRAMS * mouths.length[i] * mouths.length[i] * mouths.length[i]
-                fill(mouths, held[i], senses, grams, now)
-                swallowed[number] = mouths.id[i]
-                number += 1
+            continue
+        busy[eater] = 1
+        if draw_in(mouths, eater, senses, mouths.position[i], mouths.last_position[i]):
+            grams = FISH_GRAMS * mouths.length[i] * mouths.length[i] * mouths.length[i]
+            fill(mouths, eater, senses, grams, now)
+            swallowed[number] = mouths.id[i]
+            number += 1
     return number
 
 
@@ -247,14 +257,18 @@ def ingest(
     senses: SenseTable,
     now: int,
     held: Int64s,
+    holder: Int64s,
     busy: Int8s,
     swallowed: Int64s,
 ) -> int:
     """Draw in who and what is held, then let open mouths claim; write who is in and return their number.
 
-    `held` and `busy` (count,) are scratch. One kernel, for handing over a hundred columns takes longer than the rest.
+    `held`, `holder` and `busy` (count,) are scratch. One kernel, for handing over a hundred columns takes longer
+    than the rest.
     """
-    number = suck_fishes(mouths, count, places, senses, now, held, busy, swallowed)
+    busy[:count] = 0
+    many = list_held(mouths, count, places, held, holder)
+    number = suck_fishes(mouths, many, senses, now, held, holder, busy, swallowed)
     suck_food(mouths, larder, food, places, senses, now, busy)
     open_mouths(mouths, count, larder, food, places, senses, now, busy, held)
     return number
@@ -274,6 +288,8 @@ class Feed:
     ) -> None:
         self.population, self.food, self.patches = population, food, patches
         self.senses, self.spawn, self.clock = senses, spawn, clock
+        self._mouths = Columns(Mouths, population.fish, population.mind)
+        self._larder = Columns(Larder, food, patches)
         self._room(16)
 
     def __call__(self) -> None:
@@ -283,24 +299,13 @@ class Feed:
             self._room(2 * count)
         larder, mouths = self._larder(), self._mouths()
         places = self.population.index.places
-        scratch = self._held, self._busy, self._swallowed
+        scratch = self._held, self._holder, self._busy, self._swallowed
         number = ingest(mouths, count, larder, food, places, self.senses, now, *scratch)
         for identity in sorted(self._swallowed[:number].tolist()):
             self.spawn.lose(identity)
 
-    def _mouths(self) -> Mouths:
-        fish, mind = self.population.fish, self.population.mind
-        columns = [getattr(fish if name in fish.columns else mind, name) for name in Mouths._fields]
-        return Mouths(*columns)
-
-    def _larder(self) -> Larder:
-        food, patches = self.food, self.patches
-        columns = [
-            getattr(food if name in food.columns else patches, name) for name in Larder._fields
-        ]
-        return Larder(*columns)
-
     def _room(self, capacity: int) -> None:
         self._held = np.zeros(capacity, np.int64)
+        self._holder = np.zeros(capacity, np.int64)
         self._swallowed = np.zeros(capacity, np.int64)
         self._busy = np.zeros(capacity, np.int8)

@@ -16,6 +16,7 @@ from components.index import Places, row_of
 from components.kernels import inlined, row
 from components.senses import SenseTable
 from components.sphere_grid import SphereGrid, empty, list_spheres, sphere_grid, square_at
+from components.table import Columns
 from components.terrain import Terrain, berth, confine
 from systems.play.spawn import Spawn
 
@@ -132,6 +133,8 @@ class Hold:
         number = anemones.count
         reach = np.where(anemones.holds[:number] > 0.0, anemones.radius[:number], 0.0)
         self._grid = list_spheres(sphere_grid(terrain.radius), anemones.centre[:number], reach)
+        self._tentacles = Columns(Tentacles, anemones)
+        self._victims = Columns(Victims, population.fish, population.mind)
         self._eaten = np.zeros(number, np.int64)
 
     def __call__(self) -> None:
@@ -139,11 +142,7 @@ class Hold:
         number, people, now = self.anemones.count, self.population, self.clock.now
         if empty(self._grid):
             return
-        tentacles = Tentacles(*(getattr(self.anemones, name) for name in Tentacles._fields))
-        fish = people.fish
-        victims = Victims(
-            fish.id, fish.species, fish.length, fish.position, people.mind.swallowed_by
-        )
+        tentacles, victims = self._tentacles(), self._victims()
         places = people.index.places
         take(tentacles, self._grid, self.senses.at_home, people.count, victims, now)
         many = draw_in(tentacles, number, self.terrain, places, victims, now, self._eaten)

@@ -17,6 +17,7 @@ from components.kernels import inlined, row
 from components.mind import Intention, Why
 from components.senses import SenseTable
 from components.sphere_grid import SphereGrid, list_spheres, sphere_grid, square_at
+from components.table import Columns
 from components.terrain import Terrain
 
 STUNG_TICKS: Final = 4 * TICKS_PER_SECOND
@@ -181,6 +182,7 @@ class Sting:
     ) -> None:
         self.anemones, self.population, self.senses = anemones, population, senses
         self.clock = clock
+        self._feeling = Columns(Feeling, population.mind, population.motor, population.fish)
         reach = anemones.radius[: anemones.count] + SHUNNED
         centre = anemones.centre[: anemones.count]
         self._grid = list_spheres(sphere_grid(terrain.radius), centre, reach)
@@ -190,17 +192,6 @@ class Sting:
         anemones, people = self.anemones, self.population
         if anemones.count:
             caps = Caps(self._grid, anemones.centre, anemones.radius, anemones.stings)
-            feeling, senses = feeling_of(people), self.senses
+            feeling, senses = self._feeling(), self.senses
             now, count = self.clock.now, people.count
             sting_all(caps, senses.at_home, senses.nose, count, feeling, now)
-
-
-def feeling_of(population: Population) -> Feeling:
-    """Return those columns; stale when the tables grow."""
-    tables = (population.mind, population.motor, population.fish)
-    return Feeling(
-        *(
-            next(getattr(table, name) for table in tables if hasattr(table, name))
-            for name in Feeling._fields
-        )
-    )

@@ -14,16 +14,17 @@ import numba
 import numpy as np
 
 from components import chance
-from components.arrays import Float64s, Int32s, Int64s
+from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.clock import TICK_SECONDS, Clock
 from components.field import Field, field_of, flow_near
 from components.fish import Population
 from components.food import FoodTable, PatchTable
-from components.kernels import loop, row
+from components.kernels import inlined, loop, row
 from components.scatter import place
 from components.senses import SenseTable
 from components.singularity import SingularityTable
-from components.sphere_grid import SphereGrid, empty, list_spheres, sphere_grid
+from components.sphere_grid import SphereGrid, empty, list_spheres, lists_none, sphere_grid
+from components.table import Columns
 from components.terrain import Terrain, berth, confine
 
 FASTEST: Final = 4.0
@@ -69,8 +70,8 @@ class Carried(NamedTuple):
 
 
 @row
-def push(water: Water, x: float, y: float, z: float) -> tuple[float, float, float]:
-    """Return the velocity [m/s] at which the flow carries what is at a point [m]: finite, at most `FASTEST`."""
+def _push_near(water: Water, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """Return what `push` does, having asked what is near."""
     u, v, w = flow_near(water.field, water.grid, water.tick, x, y, z)
     size = sqrt(u * u + v * v + w * w)
     if size <= FASTEST:
@@ -80,6 +81,15 @@ def push(water: Water, x: float, y: float, z: float) -> tuple[float, float, floa
     if not u * u + v * v + w * w <= 2.0 * FASTEST * FASTEST:
         return 0.0, 0.0, 0.0
     return u, v, w
+
+
+@inlined
+def push(water: Water, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """Return the velocity [m/s] at which the flow carries what is at a point [m]: finite, at most `FASTEST`."""
+    # Most of a sea is still, and a call hands over the whole field.
+    if lists_none(water.grid, x, y):
+        return 0.0, 0.0, 0.0
+    return _push_near(water, x, y, z)
 
 
 @row
@@ -97,7 +107,7 @@ def appear(
     confine(terrain, position, particle, _BERTH)
 
 
-@row
+@inlined
 def _leaves(
     p: Float64s, around: Float64s, within: float, u: float, v: float, w: float
 ) -> tuple[bool, float]:
@@ -107,7 +117,7 @@ def _leaves(
     return along > 0.0 and x * x + y * y + z * z > within * within, along
 
 
-@row
+@inlined
 def carry(p: Float64s, around: Float64s, within: float, u: float, v: float, w: float) -> bool:
     """Move a particle's place p (3,) by a tick of (u, v, w) [m/s]; return whether it came back on the other side."""
     beyond, along = _leaves(p, around, within, u, v, w)
@@ -120,7 +130,7 @@ def carry(p: Float64s, around: Float64s, within: float, u: float, v: float, w: f
     return beyond
 
 
-@row
+@inlined
 def _drift_one(
     terrain: Terrain, water: Water, seed: int, k: int, plankton: Plankton
 ) -> tuple[bool, bool]:
@@ -188,7 +198,9 @@ def carry_some(
     position = fishes.position
     for i in range(begin, end):
         x, y, z = position[i, 0], position[i, 1], position[i, 2]
-        u, v, w = push(water, x, y, z)
+        if lists_none(water.grid, x, y):
+            continue
+        u, v, w = _push_near(water, x, y, z)
         size, length = sqrt(u * u + v * v + w * w), fishes.length[i]
         held = speed[fishes.species[i], _CRUISE] * length
         if size <= held:
@@ -215,6 +227,29 @@ def carry_all(
         carry_some(terrain, water, speed, fishes, begin, end)
 
 
+@row
+def drift_few(
+    terrain: Terrain,
+    water: Water,
+    seed: int,
+    plankton: Plankton,
+    particles: int,
+    speed: Float64s,
+    fishes: Carried,
+    number: int,
+) -> None:
+    """Carry particles and fishes on this thread: one kernel, for handing over the sea takes longer than the rest."""
+    drift_some(terrain, water, seed, plankton, 0, particles)
+    carry_some(terrain, water, speed, fishes, 0, number)
+
+
+@row
+def _list_felt(reach: Float64s, intensity: Float64s, there: Int8s, felt: Float64s) -> None:
+    """Write how far [m] each singularity is felt now, (n,)."""
+    for k in range(len(felt)):
+        felt[k] = reach[k] if there[k] != 0 and intensity[k] != 0.0 else 0.0
+
+
 class Drift:
     """Reads singularities, patches, senses, terrain and clock; writes food and the fishes' position."""
 
@@ -231,36 +266,44 @@ class Drift:
         self.singularities, self.population = singularities, population
         self.food, self.patches, self.senses = food, patches, senses
         self.terrain, self.clock = terrain, clock
+        self._plankton = Columns(Plankton, food, patches)
+        self._carried = Columns(Carried, population.fish)
         self._grid = sphere_grid(terrain.radius)
+        self._look_up()
 
     def __call__(self) -> None:
         """Let food and fishes drift for a tick."""
-        water, seed = self.water(), int(self.clock.seed[0])
+        water, seed, terrain = self.water(), int(self.clock.seed[0]), self.terrain
         count, plankton = self.food.count, self.plankton()
+        number, fishes, speed = self.population.count, self._carried(), self.senses.speed
+        if count < _SERIAL_BELOW and number < _FEW_FISHES:
+            drift_few(terrain, water, seed, plankton, count, speed, fishes, number)
+            return
         if count < _SERIAL_BELOW:
-            drift_some(self.terrain, water, seed, plankton, 0, count)
+            drift_some(terrain, water, seed, plankton, 0, count)
         else:
-            drift_all(self.terrain, *water, seed, plankton, count)
+            drift_all(terrain, *water, seed, plankton, count)
         if empty(water.grid):
             return
-        fish, number, speed = self.population.fish, self.population.count, self.senses.speed
-        fishes = Carried(fish.species, fish.length, fish.position)
         if number < _FEW_FISHES:
-            carry_some(self.terrain, water, speed, fishes, 0, number)
+            carry_some(terrain, water, speed, fishes, 0, number)
         else:
-            carry_all(self.terrain, *water, speed, fishes, number)
+            carry_all(terrain, *water, speed, fishes, number)
 
     def water(self) -> Water:
         """Return the flow of this tick; stale when singularities come or go, or after the next call."""
-        field = field_of(self.singularities)
-        reach = np.where((field.there != 0) & (field.intensity != 0.0), field.reach, 0.0)
-        self._grid = list_spheres(self._grid, field.position, reach)
+        if self._size != (self.singularities.count, self.singularities.capacity):
+            self._look_up()
+        field, felt = self._field, self._felt
+        _list_felt(field.reach, field.intensity, field.there, felt)
+        self._grid = list_spheres(self._grid, field.position, felt)
         return Water(field, self._grid, self.clock.now)
 
     def plankton(self) -> Plankton:
         """Return the columns of food and patches; they go stale when either grows."""
-        food, patches = self.food, self.patches
-        columns = [
-            getattr(food if name in food.columns else patches, name) for name in Plankton._fields
-        ]
-        return Plankton(*columns)
+        return self._plankton()
+
+    def _look_up(self) -> None:
+        self._size = self.singularities.count, self.singularities.capacity
+        self._field = field_of(self.singularities)
+        self._felt = np.zeros(self.singularities.count)

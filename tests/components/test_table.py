@@ -1,6 +1,6 @@
 """Tables: a machine that appends, removes, reorders, snapshots and restores, against a plain list."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 
 from components.arrays import Float64s, Int64s
-from components.table import Table, column
+from components.table import Columns, Table, column
 
 
 class _Things(Table):
@@ -103,3 +103,26 @@ def test_tables_share_no_rows_and_no_columns() -> None:
     assert other.number[0] == -1
     assert set(More.columns) == {"number", "place", "extra"}
     assert set(_Things.columns) == {"number", "place"}
+
+
+class _Numbers(NamedTuple):
+    place: Float64s
+    number: Int64s
+
+
+def test_columns_of_tables_that_have_grown_are_theirs() -> None:
+    class Others(Table):
+        place: Float64s = column(np.float64)
+        "(capacity,)"
+
+    others, things = Others(count=1), _Things(count=2)
+    columns = Columns(_Numbers, others, things)
+    before = columns()
+    assert before.place is others.place
+    assert before.number is things.number
+    assert columns() is before
+    things.append(things.capacity)
+    assert columns().number is things.number
+    others.restore({"place": np.arange(99.0)})
+    assert columns().place is others.place
+    assert columns().place[98] == 98.0

@@ -9,16 +9,17 @@ from components.arrays import Float64s
 from components.clock import Clock
 from components.fish import Population
 from components.repertoire import Pattern, RepertoireLibrary
+from components.table import Columns
 from components.terrain import Terrain
 from systems.motor.choose import MOOD_SPREAD, MOOD_TICKS, gaits
 from systems.motor.control import (
     STEEPEST,
     YAW_RATE,
     Control,
+    Swimmers,
     control_parallel,
     control_rows,
     half_tangent_angle,
-    swimmers,
 )
 from systems.motor.move import Move
 
@@ -237,7 +238,7 @@ def test_threads_and_rows_change_no_bit(school: School, captured: RepertoireLibr
         fish.motor.held[:200] = np.arange(200) % 60
         fish.motor.urgency[:200] = np.linspace(0, 1, 200)
         fish.reorder(order)
-        columns = swimmers(fish.fish, fish.motor)
+        columns = Columns(Swimmers, fish.fish, fish.motor)()
         for tick in range(5):
             if threads == 1:
                 control_rows(0, 200, columns, gait, 11, tick)
