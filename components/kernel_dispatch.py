@@ -201,3 +201,11 @@ class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
         super().add_overload(cres)
         for environment in cres._find_referenced_environments():
             cres.codegen.set_env(environment.env_name, environment)
+
+
+def entry(kernel: Kernel, args: tuple[Any, ...]) -> Callable[..., Any]:
+    """Return the machine code of the kernel for the types of `args`; it must be given no others."""
+    signature = tuple(map(kernel.typeof_pyval, args))
+    kernel.compile(signature)
+    code: Callable[..., Any] = kernel.overloads[signature].entry_point
+    return code

@@ -2,17 +2,24 @@
 
 numba reads the whole tuple at every use of a field, hundreds of numbers for the scene of a mind, from a place in memory
 that LLVM then takes apart again, for seconds. What never changes needs no such place.
+
+Nor does an index count from an array's end here unless it is a constant: to ask costs a tenth of a mind's time, and
+keeps LLVM from doing several at once.
 """
 
 from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any, Final
 
+from llvmlite.ir import Constant
 from numba.core import ir, types
 from numba.core.analysis import must_use_alloca
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.ir_utils import build_definitions, replace_vars
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
+from numba.np import arrayobj
 
 _Path = tuple[int | str, ...]
 """Where a value stands: number of the argument, then the names of fields within fields."""
@@ -119,8 +126,30 @@ class FieldsOnce(FunctionPass):  # type: ignore[misc]  # numba is untyped
         return changed
 
 
+@contextmanager
+def _counted_from_the_front() -> Iterator[None]:
+    """Let computed indices be offsets as they are, where numba would ask of each whether it counts from the end."""
+    numbas = arrayobj.fix_integer_index
+
+    def offset(context: Any, builder: Any, kind: Any, index: Any, size: Any) -> Any:
+        if isinstance(index, Constant):
+            return numbas(context, builder, kind, index, size)
+        return context.cast(builder, index, kind, types.intp if kind.signed else types.uintp)
+
+    arrayobj.fix_integer_index = offset
+    try:
+        yield
+    finally:
+        arrayobj.fix_integer_index = numbas
+
+
 class _LowerWithoutPlaces(Lower):  # type: ignore[misc]  # numba is untyped
     """Keeps arguments and their fields as values, where numba would keep what several blocks read in memory."""
+
+    def lower(self) -> None:
+        """Make LLVM's code; an index below 0 that is no constant is out of bounds."""
+        with _counted_from_the_front():
+            super().lower()
 
     def _find_singly_assigned_variable(self) -> None:
         super()._find_singly_assigned_variable()

@@ -15,7 +15,7 @@ import numpy as np
 from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.fish import Population
 from components.ground import Terrain
-from components.kernels import inlined, loop, row
+from components.kernels import Launch, inlined, loop, row
 from components.mind import Intention
 from components.senses import SenseTable
 
@@ -286,6 +286,8 @@ class Grid:
         self.crowd = make_crowd(0, 0, 0, 0)
         self.order = self._by_layer = self._tally = np.zeros(0, np.int32)
         self._keys = np.zeros((0, 2), np.int32)
+        self._sort_cells = Launch(sort_cells)
+        self._copy, self._copy_all = Launch(_copy), Launch(_copy_all)
 
     def _fit(self, number: int) -> None:
         """Make room for `number` fishes and for the plan."""
@@ -316,12 +318,12 @@ class Grid:
             population.reorder(self.order[:number].astype(np.int64))
             self._order(population)
         if number < SERIAL_BELOW:
-            _copy(0, number, number, self.order, self._keys, rows_of(population), self.crowd)
+            self._copy(0, number, number, self.order, self._keys, rows_of(population), self.crowd)
         else:
-            _copy_all(number, self.order, self._keys, rows_of(population), self.crowd)
+            self._copy_all(number, self.order, self._keys, rows_of(population), self.crowd)
 
     def _order(self, population: Population) -> None:
-        sort_cells(
+        self._sort_cells(
             population.fish.position, population.count, self.plan, self._keys, self._tally,
             self._by_layer, self.order, self.crowd.first,
         )  # fmt: skip

@@ -142,12 +142,6 @@ def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) ->
 @inlined
 def first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
     """Return the first place in begin..end whose layer is at least `value`."""
-    if end - begin <= _SHORT:
-        # Counting a few mispredicts nothing.
-        first = begin
-        for k in range(begin, end):
-            first += layer[k] < value
-        return first
     while begin < end:
         middle = (begin + end) // 2
         if layer[middle] < value:
@@ -155,6 +149,20 @@ def first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
         else:
             end = middle
     return begin
+
+
+@inlined
+def layers_between(layer: Int32s, begin: int, end: int, low: int, high: int) -> tuple[int, int]:
+    """Return the run within begin..end whose layers are at least `low` and less than `high`."""
+    if end - begin > _SHORT:
+        begin = first_not_above(layer, begin, end, low)
+        return begin, first_not_above(layer, begin, end, high)
+    # Counting a few mispredicts nothing.
+    first = last = begin
+    for k in range(begin, end):
+        first += layer[k] < low
+        last += layer[k] < high
+    return first, last
 
 
 @inlined
@@ -168,8 +176,7 @@ def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -
             end = crowd.first[x * plan.columns + y + 1]
             if begin == end:
                 continue
-            begin = first_not_above(crowd.layer, begin, end, layer - 1)
-            end = first_not_above(crowd.layer, begin, end, layer + 2)
+            begin, end = layers_between(crowd.layer, begin, end, layer - 1, layer + 2)
             if end > begin:
                 runs[2 * found], runs[2 * found + 1] = begin, end
                 found += 1

@@ -1,5 +1,6 @@
 """What minds live in during a tick, and the columns that they read and write."""
 
+from operator import attrgetter
 from typing import Final, NamedTuple
 
 from components.arrays import Float32s, Float64s, Int8s, Int32s, Int64s
@@ -80,12 +81,14 @@ class Minds(NamedTuple):
 
 
 _TABLES: Final = {"mind": MindTable, "motor": MotorTable, "fish": FishTable}
-_COLUMNS: Final = tuple(
-    next((table, name) for table, kind in _TABLES.items() if name in kind.columns)
-    for name in Minds._fields
+_READ: Final = attrgetter(
+    *(
+        next(f"{table}.{name}" for table, kind in _TABLES.items() if name in kind.columns)
+        for name in Minds._fields
+    )
 )
 
 
 def minds_of(population: Population) -> Minds:
     """Return those columns; stale when the tables grow."""
-    return Minds(*(getattr(getattr(population, table), name) for table, name in _COLUMNS))
+    return Minds(*_READ(population))

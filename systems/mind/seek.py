@@ -15,7 +15,7 @@ from components.sightline import in_sight
 from components.trigonometry import arc
 from systems.mind.beware import can_swallow
 from systems.mind.grid import Crowd
-from systems.mind.perceive import NEIGHBOURS, Attention, first_not_above, in_view, insert
+from systems.mind.perceive import NEIGHBOURS, Attention, in_view, insert, layers_between
 from systems.mind.scene import Scene
 from systems.mind.sparse import LONGEST_RUN, Sparse, find_sparse_runs
 
@@ -126,8 +126,9 @@ def _search(scene: Scene, me: int, taken: Int64s, attention: Attention, piece: i
                 end = crowd.first[i * plan.columns + j + 1]
                 if begin == end:
                     continue
-                begin = first_not_above(crowd.layer, begin, end, crowd.layer[me] - wide)
-                end = first_not_above(crowd.layer, begin, end, crowd.layer[me] + wide + 1)
+                begin, end = layers_between(
+                    crowd.layer, begin, end, crowd.layer[me] - wide, crowd.layer[me] + wide + 1
+                )
                 if tested > _MOST_TESTED:
                     end = begin
                 tested += end - begin

@@ -10,7 +10,7 @@ import numba
 import numpy as np
 
 from components.arrays import Float64s, Int8s
-from components.kernels import inlined, loop, row
+from components.kernels import Launch, inlined, loop, row
 from systems.mind.grid import SERIAL_BELOW, Crowd, Plan
 
 FIXED: Final = 65536.0
@@ -61,12 +61,18 @@ def _gather_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
         _gather_strip(strip, plan, schooling, crowd)
 
 
-def sum_shoals(plan: Plan, schooling: Int8s, crowd: Crowd, number: int) -> None:
-    """Sum the shoals of a crowd of `number` fishes; `schooling` is per species, (S,)."""
-    if number < SERIAL_BELOW:
-        _gather_serially(plan, schooling, crowd)
-    else:
-        _gather_all(plan, schooling, crowd)
+class Shoals:
+    """Sums the shoals of a crowd each tick, on all threads where there are many fishes."""
+
+    def __init__(self) -> None:
+        self._serially, self._on_all = Launch(_gather_serially), Launch(_gather_all)
+
+    def sum(self, plan: Plan, schooling: Int8s, crowd: Crowd, number: int) -> None:
+        """Sum the shoals of a crowd of `number` fishes; `schooling` is per species, (S,)."""
+        if number < SERIAL_BELOW:
+            self._serially(plan, schooling, crowd)
+        else:
+            self._on_all(plan, schooling, crowd)
 
 
 @inlined

@@ -12,7 +12,7 @@ import numpy as np
 
 from components.arrays import Float64s, Int32s
 from components.ground import Terrain
-from components.kernels import inlined, row
+from components.kernels import Launch, inlined, row
 
 WANTED: Final = 48
 """How many, at most, lie in 27 cells on average, unless cells would get too narrow."""
@@ -124,6 +124,7 @@ class SparseGrid:
         self.terrain = terrain
         self.sparse = no_sparse()
         self._keys = np.zeros(0, np.int32)
+        self._sort = Launch(sort_sparse)
         self._divided: tuple[int, float] = (-1, 0.0)
         self._division = (1.0, 1, 1)
 
@@ -146,5 +147,5 @@ class SparseGrid:
         self.sparse = old._replace(
             cell=cell, extent=self.terrain.radius, side=side, layers=layers, number=number
         )
-        sort_sparse(self.sparse, points[0], points[1], points[2], what, self._keys)
+        self._sort(self.sparse, points[0], points[1], points[2], what, self._keys)
         return self.sparse

@@ -19,7 +19,7 @@ from components.food import FoodTable
 from components.ground import Terrain
 from components.habitat import STILL, Habitat, daylight
 from components.index import Places
-from components.kernels import loop, merged, row
+from components.kernels import Launch, loop, merged, row
 from components.mind import SUBMARINE, Role, Why
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
@@ -49,7 +49,7 @@ from systems.mind.perceive import (
     make_attention,
 )
 from systems.mind.scene import Minds, Scene, minds_of
-from systems.mind.shoal import sum_shoals
+from systems.mind.shoal import Shoals
 from systems.mind.sparse import Sparse, SparseGrid, find_sparse_runs
 from systems.mind.want import curiosity, habits, want
 
@@ -228,23 +228,20 @@ def think_all(
 
 
 @row
-def _list_hunters(number: int, crowd: Crowd, hunts: Int8s, what: Int32s) -> int:
-    """List the fishes that eat others, in the order of the crowd; return how many. (capacity,)."""
-    many = 0
-    for k in range(number):
-        what[many] = k
-        many += hunts[crowd.species[k]] != 0
-    return many
+def _list_fishes(
+    number: int, species: Int32s, ready: Int8s, courting: Int64s, hunts: Int8s, schooling: Int8s,
+    hunters: Int32s, willing: Int32s,
+) -> tuple[int, int]:  # fmt: skip
+    """List, in the order of the crowd, who eats others, and who courts or would of species that do not school.
 
-
-@row
-def _list_willing(number: int, crowd: Crowd, schooling: Int8s, what: Int32s) -> int:
-    """List those that court or would, of species that do not school, in the order of the crowd; return how many."""
-    many = 0
+    Return how many each are; (capacity,) each.
+    """
+    many = few = 0
     for k in range(number):
-        what[many] = k
-        many += (crowd.ready[k] != 0 or crowd.courting[k] >= 0) and schooling[crowd.species[k]] == 0
-    return many
+        hunters[many], willing[few] = k, k
+        many += hunts[species[k]] != 0
+        few += ((ready[k] != 0) | (courting[k] >= 0)) & (schooling[species[k]] == 0)
+    return many, few
 
 
 @row
@@ -284,7 +281,11 @@ class Think:
         self._hunters, self._meals = SparseGrid(terrain), SparseGrid(terrain)
         self._willing = SparseGrid(terrain)
         self._attention = make_attention()
-        self._few, self._there = np.zeros(1, np.int32), np.zeros(1, np.int8)
+        self._few, self._mates = np.zeros(1, np.int32), np.zeros(1, np.int32)
+        self._there = np.zeros(1, np.int8)
+        self._shoals = Shoals()
+        self._think_some, self._think_all = Launch(think_some), Launch(think_all)
+        self._list_fishes, self._list_edible = Launch(_list_fishes), Launch(_list_edible)
 
     def __call__(self) -> None:
         """Advance the minds by one tick."""
@@ -294,18 +295,19 @@ class Think:
         self.grid.sort(
             self.population, reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0
         )
-        sum_shoals(self.grid.plan, self.senses.schooling, self.grid.crowd, number)
+        self._shoals.sum(self.grid.plan, self.senses.schooling, self.grid.crowd, number)
         scene, minds = self._scene(number), minds_of(self.population)
         if number < SERIAL_BELOW:
-            think_some(scene, 0, number, minds, self._attention, 0)
+            self._think_some(scene, 0, number, minds, self._attention, 0)
         else:
-            think_all(*scene, number, minds, self._attention)
+            self._think_all(*scene, number, minds, self._attention)
 
     def _scene(self, number: int) -> Scene:
         """Return the world as minds find it this tick."""
         food, now = self.food, self.clock.now
         self._fit(number)
-        hunting, edible, willing = self._hunting(number), self._edible(), self._courting(number)
+        hunting, willing = self._few_fishes(number)
+        edible = self._edible()
         return Scene(
             now, int(self.clock.seed[0]), daylight(self.habitat, now), self.grid.plan,
             self.grid.crowd, self.senses, self.terrain, self.habitat, hunting, edible, willing,
@@ -318,26 +320,31 @@ class Think:
         """Make room in the scratch lists for `number` fishes and the food."""
         if max(number, self.food.count) >= len(self._few):
             self._few = np.zeros(2 * max(number, self.food.count), np.int32)
+            self._mates = np.zeros_like(self._few)
         if self.food.count >= len(self._there):
             self._there = np.zeros(2 * self.food.count, np.int8)
 
-    def _hunting(self, number: int) -> Sparse:
-        """Return the grid of the fishes that eat others."""
-        many = _list_hunters(number, self.grid.crowd, self.senses.hunts, self._few)
-        return self._sort_fishes(self._hunters, many)
+    def _few_fishes(self, number: int) -> tuple[Sparse, Sparse]:
+        """Return the grids of the fishes that eat others, and of those that may be mates of who seeks one."""
+        crowd, senses = self.grid.crowd, self.senses
+        hunting, courting = self._list_fishes(
+            number, crowd.species, crowd.ready, crowd.courting, senses.hunts, senses.schooling,
+            self._few, self._mates,
+        )  # fmt: skip
+        return (
+            self._sort_fishes(self._hunters, self._few, hunting),
+            self._sort_fishes(self._willing, self._mates, courting),
+        )
 
-    def _courting(self, number: int) -> Sparse:
-        """Return the grid of the fishes that may be mates of who seeks one."""
-        many = _list_willing(number, self.grid.crowd, self.senses.schooling, self._few)
-        return self._sort_fishes(self._willing, many)
-
-    def _sort_fishes(self, grid: SparseGrid, many: int) -> Sparse:
+    def _sort_fishes(self, grid: SparseGrid, what: Int32s, many: int) -> Sparse:
         crowd = self.grid.crowd
-        return grid.sort((crowd.x, crowd.y, crowd.z), self._few, many, 3.0 * self.grid.plan.cell)
+        return grid.sort((crowd.x, crowd.y, crowd.z), what, many, 3.0 * self.grid.plan.cell)
 
     def _edible(self) -> Sparse:
         """Return the grid of the food in the water."""
         food, now = self.food, self.clock.now
-        many = _list_edible(food.count, now, food.returns, food.eaten_by, self._there, self._few)
+        many = self._list_edible(
+            food.count, now, food.returns, food.eaten_by, self._there, self._few
+        )
         x, y, z = np.ascontiguousarray(food.position[: food.count].T)
         return self._meals.sort((x, y, z), self._few, many, 3.0 * self.grid.plan.cell)

@@ -1,4 +1,4 @@
-"""Kernels as callees, and fields of tuples read once."""
+"""Kernels as callees, fields of tuples read once, and kernels as systems launch them."""
 
 from typing import NamedTuple
 
@@ -7,7 +7,7 @@ import pytest
 
 from components.arrays import Float64s
 from components.kernel_dispatch import Kernel
-from components.kernels import row
+from components.kernels import Launch, row
 
 
 class Pair(NamedTuple):
@@ -46,6 +46,16 @@ def advance(scene: Scene, count: int) -> float:
     return last
 
 
+@row
+def at(values: Float64s, i: int) -> float:
+    return float(values[i])
+
+
+@row
+def last(values: Float64s) -> float:
+    return float(values[-1])
+
+
 @pytest.fixture
 def values() -> Float64s:
     return np.arange(4.0)
@@ -72,3 +82,16 @@ def test_fields_that_change_hands_are_read_where_they_are() -> None:
     assert advance(ours, 3) == advance.py_func(plain, 3)  # type: ignore[attr-defined]  # a numba kernel
     assert np.array_equal(ours.near.b, plain.near.b)
     assert np.array_equal(ours.far.b, plain.far.b)
+
+
+def test_only_constant_indices_count_from_the_end(values: Float64s) -> None:
+    assert last(values[1:]) == 3.0
+    assert at(values[1:], 1) == 2.0
+    assert at(values[1:], -1) == 0.0
+
+
+def test_a_launch_looks_at_types_once(values: Float64s, monkeypatch: pytest.MonkeyPatch) -> None:
+    launch = Launch(sum_scaled)
+    assert launch(values) == 30.0
+    monkeypatch.setattr("components.kernels.entry", None)
+    assert launch(2.0 * values) == 60.0

@@ -14,7 +14,7 @@ from systems.mind.perceive import (
     see_around,
     watch,
 )
-from systems.mind.shoal import sum_shoals
+from systems.mind.shoal import Shoals
 
 
 def nearest_by_brute_force(pond, me: int, reach: float) -> list[int]:  # type: ignore[no-untyped-def]
@@ -73,7 +73,7 @@ def test_every_fish_stands_in_its_column_once(pond: ModuleType) -> None:
 def test_shoals_count_the_schooling_alone(pond: ModuleType) -> None:
     scene = pond.Pond(120, 30, spread=4.0)
     scene.think.grid.sort(scene.population)
-    sum_shoals(scene.think.grid.plan, scene.senses.schooling, scene.think.grid.crowd, 150)
+    Shoals().sum(scene.think.grid.plan, scene.senses.schooling, scene.think.grid.crowd, 150)
     squares = scene.think.grid.plan.squares**2
     numbers = scene.think.grid.crowd.shoal[:, :squares, 0].sum(axis=1)
     assert numbers.tolist() == [120, 0]
