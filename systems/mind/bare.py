@@ -12,7 +12,7 @@ from components.arrays import Float64s, Int8s, Int64s
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
 from components.ground import Terrain
-from components.kernels import loop, row
+from components.kernels import Launch, loop, row
 from components.senses import SenseTable
 from components.vector import point
 from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan
@@ -121,6 +121,7 @@ class BareSchooling:
         self.population, self.senses, self.clock, self.every = population, senses, clock, every
         self.grid = Grid(terrain, senses)
         self._attention = make_attention()
+        self._flock_some, self._flock_all = Launch(flock_some), Launch(flock_all)
 
     def __call__(self) -> None:
         """Advance by one tick."""
@@ -130,6 +131,6 @@ class BareSchooling:
         )
         scene = (self.grid.plan, self.grid.crowd, self.senses, motor.heading, motor.gear)
         if number < SERIAL_BELOW:
-            flock_some(now, self.every, 0, number, *scene, self._attention, 0)
+            self._flock_some(now, self.every, 0, number, *scene, self._attention, 0)
         else:
-            flock_all(now, self.every, number, *scene, self._attention)
+            self._flock_all(now, self.every, number, *scene, self._attention)

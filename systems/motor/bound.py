@@ -13,7 +13,7 @@ import numba
 from components.arrays import Float64s, Int32s
 from components.fish import Population
 from components.ground import Terrain, clearance, is_clear
-from components.kernels import inlined, loop, row
+from components.kernels import Launch, inlined, loop, row
 from components.senses import SenseTable
 from components.table import Columns
 from components.vector import point
@@ -122,11 +122,12 @@ class Bound:
     def __init__(self, population: Population, senses: SenseTable, terrain: Terrain) -> None:
         self.population, self.senses, self.terrain = population, senses, terrain
         self._swimmers = Columns(Swimmers, population.fish, population.motor)
+        self._bound_some, self._bound_all = Launch(bound_some), Launch(bound_all)
 
     def __call__(self) -> None:
         """Turn inward whoever is near a boundary."""
         number, swimmers = self.population.count, self._swimmers()
         if number < SERIAL_BELOW:
-            bound_some(self.terrain, self.senses.girth, 0, number, swimmers)
+            self._bound_some(self.terrain, self.senses.girth, 0, number, swimmers)
         else:
-            bound_all(self.terrain, self.senses.girth, number, swimmers)
+            self._bound_all(self.terrain, self.senses.girth, number, swimmers)

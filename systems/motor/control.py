@@ -16,7 +16,7 @@ import numba
 from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.clock import TICK_SECONDS, Clock
 from components.fish import Population
-from components.kernels import inlined, loop, row
+from components.kernels import Launch, inlined, loop, row
 from components.repertoire import Pattern, RepertoireLibrary
 from components.table import Columns
 from systems.motor.choose import HALF_TURN, Gaits, after, gaits, pick, swim_of_gear
@@ -171,12 +171,13 @@ class Control:
         self.clock = clock
         self.gaits = gaits(library)
         self._swimmers = Columns(Swimmers, population.fish, population.motor)
+        self._serially, self._in_parallel = Launch(control_rows), Launch(control_parallel)
 
     def __call__(self) -> None:
         """Choose segment and steering of every fish for this tick."""
         count, fish = self.population.count, self._swimmers()
         seed, tick = int(self.clock.seed[0]), self.clock.now
         if count < PARALLEL_FROM:
-            control_rows(0, count, fish, self.gaits, seed, tick)
+            self._serially(0, count, fish, self.gaits, seed, tick)
         else:
-            control_parallel(count, fish, self.gaits, seed, tick)
+            self._in_parallel(count, fish, self.gaits, seed, tick)

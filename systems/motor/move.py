@@ -15,7 +15,7 @@ import numba
 from components.arrays import Float64s
 from components.clock import Clock
 from components.fish import Population
-from components.kernels import inlined, loop, row
+from components.kernels import Launch, inlined, loop, row
 from components.repertoire import RepertoireLibrary
 from components.rotation import set_axes, turned
 from components.table import Columns
@@ -156,9 +156,10 @@ class Move:
         self._bodies = Columns(Bodies, population.fish)
         self._motors = Columns(Motors, population.motor)
         self.track = track(library, literal=gliding == "paper")
+        self._serially, self._in_parallel = Launch(move_serial), Launch(move_parallel)
 
     def __call__(self) -> None:
         """Move every fish by one tick."""
         count = self.population.count
-        kernel = move_serial if count < PARALLEL_FROM else move_parallel
+        kernel = self._serially if count < PARALLEL_FROM else self._in_parallel
         kernel(count, self._bodies(), self._motors(), self.track, self.terrain)

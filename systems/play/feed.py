@@ -15,7 +15,7 @@ from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
 from components.food import FoodTable, PatchTable, in_stomach
 from components.index import Places, row_of
-from components.kernels import inlined, row
+from components.kernels import Launch, inlined, row
 from components.mind import FOOD, Intention
 from components.senses import FISH_GRAMS, SWALLOWED, SenseTable
 from components.table import Columns
@@ -290,6 +290,7 @@ class Feed:
         self.senses, self.spawn, self.clock = senses, spawn, clock
         self._mouths = Columns(Mouths, population.fish, population.mind)
         self._larder = Columns(Larder, food, patches)
+        self._ingest = Launch(ingest)
         self._room(16)
 
     def __call__(self) -> None:
@@ -300,7 +301,7 @@ class Feed:
         larder, mouths = self._larder(), self._mouths()
         places = self.population.index.places
         scratch = self._held, self._holder, self._busy, self._swallowed
-        number = ingest(mouths, count, larder, food, places, self.senses, now, *scratch)
+        number = self._ingest(mouths, count, larder, food, places, self.senses, now, *scratch)
         for identity in sorted(self._swallowed[:number].tolist()):
             self.spawn.lose(identity)
 

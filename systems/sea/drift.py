@@ -19,7 +19,7 @@ from components.clock import TICK_SECONDS, Clock
 from components.field import Field, field_of, flow_near
 from components.fish import Population
 from components.food import FoodTable, PatchTable
-from components.kernels import inlined, loop, row
+from components.kernels import Launch, inlined, loop, row
 from components.scatter import place
 from components.senses import SenseTable
 from components.singularity import SingularityTable
@@ -269,6 +269,9 @@ class Drift:
         self._plankton = Columns(Plankton, food, patches)
         self._carried = Columns(Carried, population.fish)
         self._grid = sphere_grid(terrain.radius)
+        self._list_felt, self._drift_few = Launch(_list_felt), Launch(drift_few)
+        self._drift_some, self._drift_all = Launch(drift_some), Launch(drift_all)
+        self._carry_some, self._carry_all = Launch(carry_some), Launch(carry_all)
         self._look_up()
 
     def __call__(self) -> None:
@@ -277,25 +280,25 @@ class Drift:
         count, plankton = self.food.count, self.plankton()
         number, fishes, speed = self.population.count, self._carried(), self.senses.speed
         if count < _SERIAL_BELOW and number < _FEW_FISHES:
-            drift_few(terrain, water, seed, plankton, count, speed, fishes, number)
+            self._drift_few(terrain, water, seed, plankton, count, speed, fishes, number)
             return
         if count < _SERIAL_BELOW:
-            drift_some(terrain, water, seed, plankton, 0, count)
+            self._drift_some(terrain, water, seed, plankton, 0, count)
         else:
-            drift_all(terrain, *water, seed, plankton, count)
+            self._drift_all(terrain, *water, seed, plankton, count)
         if empty(water.grid):
             return
         if number < _FEW_FISHES:
-            carry_some(terrain, water, speed, fishes, 0, number)
+            self._carry_some(terrain, water, speed, fishes, 0, number)
         else:
-            carry_all(terrain, *water, speed, fishes, number)
+            self._carry_all(terrain, *water, speed, fishes, number)
 
     def water(self) -> Water:
         """Return the flow of this tick; stale when singularities come or go, or after the next call."""
         if self._size != (self.singularities.count, self.singularities.capacity):
             self._look_up()
         field, felt = self._field, self._felt
-        _list_felt(field.reach, field.intensity, field.there, felt)
+        self._list_felt(field.reach, field.intensity, field.there, felt)
         self._grid = list_spheres(self._grid, field.position, felt)
         return Water(field, self._grid, self.clock.now)
 
