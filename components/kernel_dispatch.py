@@ -125,21 +125,14 @@ class CalleeCacheImpl(CompileResultCacheImpl):  # type: ignore[misc]  # numba is
 
 
 class _Callee(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
-    """A kernel as other kernels call it. Its entry points are but names by which callers find the code."""
+    """A kernel as other kernels call it. Its entry points are but names by which callers find the code.
+
+    It is compiled anew where Python has called the kernel: that one's machine code could be called, not taken in.
+    """
 
     def __init__(self, kernel: "Kernel") -> None:
         options = {**kernel.targetoptions, "no_cpython_wrapper": True}
         super().__init__(kernel.py_func, {}, options, _CalleeCompiler)
-        self._kernel = kernel
-
-    def compile(self, sig: Any) -> Any:
-        """Compile for these types, unless the kernel has been compiled for Python, in full."""
-        args = tuple(sig)
-        if args not in self.overloads:
-            full = self._kernel.known(args)
-            if full is not None:
-                self.overloads[args] = full
-        return None if args in self.overloads else super().compile(sig)
 
     def add_overload(self, cres: CompileResult) -> None:
         """Let callers find a callee."""
@@ -169,17 +162,6 @@ class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
         if not self._opened and self.caches is not None:
             self._cache = self.caches[0]()
         self._opened = True
-
-    def known(self, args: tuple[Any, ...]) -> CompileResult | None:
-        """Return the kernel compiled for these types, if that has been done; None else."""
-        if args in self.overloads:
-            return self.overloads[args]
-        self._open_cache()
-        cres = self._cache.load_overload(args, self.targetctx)
-        if cres is not None:
-            self.targetctx.insert_user_function(cres.entry_point, cres.fndesc, [cres.library])
-            self.add_overload(cres)
-        return cres
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
         """Return how a kernel calls this one: constants as any value of their type, so that one compilation serves."""

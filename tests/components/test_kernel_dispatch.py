@@ -56,6 +56,16 @@ def last(values: Float64s) -> float:
     return float(values[-1])
 
 
+@row
+def tripled(values: Float64s, i: int) -> float:
+    return 3.0 * float(values[i])
+
+
+@row
+def sum_tripled(values: Float64s) -> float:
+    return tripled(values, 1) + tripled(values, 2)
+
+
 @pytest.fixture
 def values() -> Float64s:
     return np.arange(4.0)
@@ -71,6 +81,15 @@ def test_constants_share_one_callee(values: Float64s) -> None:
 def test_a_callee_is_compiled_for_python_when_python_calls_it(values: Float64s) -> None:
     assert sum_scaled(values) == 30.0
     assert scaled(values, 3, 2) == 6.0
+
+
+def test_callers_take_a_kernel_in_that_python_called_first(values: Float64s) -> None:
+    assert tripled(values, 1) == 3.0
+    assert sum_tripled(values) == 9.0
+    assert isinstance(tripled, Kernel)
+    assert tripled._callee is not None
+    taken = [compiled.library for compiled in tripled._callee.overloads.values()]
+    assert [type(library).__name__ for library in taken] == ["_CalleeLibrary"]
 
 
 def test_fields_that_change_hands_are_read_where_they_are() -> None:
