@@ -40,6 +40,8 @@ MOST_RINGS: Final = 33
 _LEAST_RINGS: Final = (4, 4, 4, 3, 3, 2)
 _PARTS: Final = (1.0, 1.0, 1.0, 1.0, 0.6, 0.3)
 """Part of a tuft's fibres that are drawn at each level, wider for those that are not."""
+_COARSEST: Final = 1e-4
+"""Fineness below which even a plant that holds the eye is at its coarsest."""
 _COARSER: Final = 0.85
 
 
@@ -120,7 +122,7 @@ def choose_levels(tufts: Tufts, view: View, most: int = TRIANGLES) -> Choice:
     fineness = 1.0
     while True:
         choice = _choice(tufts, rows, fineness * clear * view.pixels / far)
-        if choice.triangles(tufts) <= most or fineness < 0.01:
+        if choice.triangles(tufts) <= most or fineness < _COARSEST:
             return choice
         fineness *= _COARSER
 

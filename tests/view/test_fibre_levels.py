@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from components.camera import camera_towards
@@ -87,6 +87,7 @@ def test_a_lower_picture_is_drawn_coarser() -> None:
     st.integers(0, 400),
     st.sampled_from([5_000, 20_000, TRIANGLES]),
 )
+@example([(0.0, 0.0, 0.0)] * 8, 0, 261, 5_000)
 def test_a_picture_never_takes_more_triangles_than_allowed_and_leaves_nothing_out(
     places: list[tuple[float, float, float]], shape: int, fibres: int, most: int
 ) -> None:
