@@ -3,18 +3,16 @@
 Benches hold the whole mind, and scipy's k-d tree, against it. No game runs it.
 """
 
-from math import sqrt
-from typing import Final
-
 import numba
 
-from components.arrays import Float64s, Int8s, Int64s
+from components.arrays import Float64s, Int8s
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
 from components.ground import Terrain
 from components.kernels import Launch, loop, row
 from components.senses import SenseTable
 from components.vector import point
+from systems.mind.behave.school import keep_company
 from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan
 from systems.mind.perceive import (
     Attention,
@@ -25,38 +23,6 @@ from systems.mind.perceive import (
     reach_of,
     see_around,
 )
-
-_SEPARATION: Final = 2.2
-_ELBOW: Final = 1.4
-_COHESION: Final = 0.45
-_FLATTEN: Final = 0.8
-
-
-@row
-def _flock(
-    crowd: Crowd, me: int, spacing: float, found: int, near: Int64s, distance: Float64s,
-    out: Float64s,
-) -> None:  # fmt: skip
-    """Write the wanted direction: keep apart, swim as they swim, stay with them."""
-    ax, ay, az = crowd.hx[me], crowd.hy[me], crowd.hz[me]
-    sx = sy = sz = cx = cy = cz = 0.0
-    elbow = 1.0 / (_ELBOW * spacing)
-    for k in range(found):
-        other = near[k]
-        dx, dy, dz = (
-            crowd.x[other] - crowd.x[me],
-            crowd.y[other] - crowd.y[me],
-            crowd.z[other] - crowd.z[me],
-        )
-        cx, cy, cz = cx + dx, cy + dy, cz + dz
-        ax, ay, az = ax + crowd.hx[other], ay + crowd.hy[other], az + crowd.hz[other]
-        push = max(1.0 / (sqrt(distance[k]) + 1e-9) - elbow, 0.0)
-        sx, sy, sz = sx - push * dx, sy - push * dy, sz - push * dz
-    share = 1.0 / (found + 1.0)
-    pull = _COHESION * share / spacing
-    out[0] = share * ax + _SEPARATION * sx + pull * cx
-    out[1] = share * ay + _SEPARATION * sy + pull * cy
-    out[2] = share * az + _SEPARATION * _FLATTEN * sz + pull * cz / _FLATTEN
 
 
 @row
@@ -83,12 +49,11 @@ def flock_some(
         reach = reach_of(plan, senses.sight[kind], length)
         many = see_around(crowd, me, reach, around, attention, piece)
         found = nearest_of_kind(crowd, me, many, attention, piece)
-        out = attention.out[piece]
-        _flock(
-            crowd, me, senses.spacing[kind] * length, found, attention.near[piece],
-            attention.distance[piece], out,
+        x, y, z, _, _ = keep_company(
+            crowd, me, attention.near[piece], attention.distance[piece], found,
+            senses.spacing[kind] * length,
         )  # fmt: skip
-        point(heading[crowd.row[me]], out[0], out[1], out[2])
+        point(heading[crowd.row[me]], x, y, z)
         gear[crowd.row[me]] = 1
 
 

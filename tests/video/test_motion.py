@@ -180,7 +180,7 @@ def test_a_damaged_file_never_ends_in_a_traceback(
 
 def test_what_is_no_motion_at_all_is_refused(tmp_path: Path) -> None:
     (tmp_path / "text.motion").write_text("hello")
-    with pytest.raises(MotionError, match="not an npz archive"):
+    with pytest.raises(MotionError, match="no npz archive"):
         load(tmp_path / "text.motion")
     with pytest.raises(MotionError, match="cannot be read"):
         load(tmp_path / "none.motion")

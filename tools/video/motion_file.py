@@ -23,10 +23,7 @@ Arrays, for n frames with u and l axis points ahead of and behind the centre; un
 A reader trusts nothing: names, types, shapes, sizes and ranges are checked before an array is made.
 """
 
-import io
 import json
-import math
-import zipfile
 from pathlib import Path
 from typing import Any, Final
 
@@ -34,6 +31,7 @@ import numpy as np
 
 from components.arrays import AnyArray
 from components.fault import FaultError
+from components.plain_npz import Kinds, UnfitError, packed, read_strings, unpacked
 from components.whole_file import write_whole
 from tools.video.faults import Fault
 from tools.video.midline import STATIONS
@@ -44,12 +42,10 @@ SIZE_LIMIT: Final = 256 << 20
 """[bytes] beyond which no file is read: what the longest clip gives."""
 MOST_POINTS: Final = 64
 """u and l at most."""
-_EPOCH: Final = (1980, 1, 1, 0, 0, 0)
 _FASTEST: Final = 100_000.0
 _FARTHEST: Final = 1e6
 
-_Dims = tuple[int | str, ...]
-_ARRAYS: Final[dict[str, tuple[str, _Dims]]] = {
+_ARRAYS: Final[Kinds] = {
     "version": ("<i4", ()),
     "rate": ("<f8", ()),
     "first": ("<i4", ()),
@@ -80,23 +76,12 @@ class MotionError(FaultError):
     """A motion file cannot be used: one line that names the file and what is wrong."""
 
 
-class _UnfitError(Exception):
-    """What is wrong, without the file's name."""
-
-
 def save(path: Path, motion: Motion) -> None:
     """Write a motion to `path`, whole or not at all. Raise OSError where the folder cannot be written."""
     note = json.dumps(motion.provenance, sort_keys=True).encode()
     held: dict[str, Any] = {name: getattr(motion, name, None) for name in _ARRAYS}
     held["version"], held["provenance"] = VERSION, np.frombuffer(note, np.uint8)
-    file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
-        for name, (dtype, _) in _ARRAYS.items():
-            member = io.BytesIO()
-            array = np.asarray(held[name], np.dtype(dtype), order="C")
-            np.lib.format.write_array(member, array, version=(1, 0), allow_pickle=False)
-            archive.writestr(zipfile.ZipInfo(f"{name}.npy", _EPOCH), member.getvalue())
-    write_whole(path, file.getvalue())
+    write_whole(path, packed(held, _ARRAYS))
 
 
 def load(path: Path) -> Motion:
@@ -108,8 +93,8 @@ def load(path: Path) -> Motion:
     except OSError as error:
         raise MotionError(f"{path}: cannot be read: {error.strerror or error}") from None
     try:
-        return _motion(_arrays(_members(content)))
-    except _UnfitError as error:
+        return _motion(_checked(unpacked(content, _ARRAYS)))
+    except UnfitError as error:
         raise MotionError(f"{path}: no motion: {error}") from None
 
 
@@ -120,26 +105,25 @@ def _motion(held: dict[str, AnyArray]) -> Motion:
         "first": int(held["first"]),
         "size": tuple(int(side) for side in held["size"]),
         "folded": held["folded"] != 0,
-        "provenance": _provenance(held["provenance"].tobytes()),
+        "provenance": read_strings(held["provenance"].tobytes()),
     }
     return Motion(**{**fields, **scalars})
 
 
-def _arrays(members: dict[str, bytes]) -> dict[str, AnyArray]:
-    """Return all arrays, of the types, shapes and ranges that a motion's have."""
-    dims: dict[str, int] = {}
-    held = {name: _array(name, members[name], dims) for name in _ARRAYS}
+def _checked(held: dict[str, AnyArray]) -> dict[str, AnyArray]:
+    """Return all arrays, of the ranges that a motion's have."""
     if int(held["version"]) != VERSION:
-        raise _UnfitError(f"version {VERSION} is expected, not {int(held['version'])}")
+        raise UnfitError(f"version {VERSION} is expected, not {int(held['version'])}")
     for name, array in held.items():
         if array.dtype.kind == "f" and not (np.abs(array) < _FARTHEST).all():
-            raise _UnfitError(f"{name} holds a number that is not finite, or far too large")
-    if dims["n"] < 1 or not 1 <= dims["u"] <= MOST_POINTS or not 1 <= dims["l"] <= MOST_POINTS:
-        raise _UnfitError(f"{dims['n']} frames of {dims['u']} and {dims['l']} points are no motion")
+            raise UnfitError(f"{name} holds a number that is not finite, or far too large")
+    (frames, ahead), behind = held["up_angle"].shape, held["low_angle"].shape[1]
+    if frames < 1 or not 1 <= ahead <= MOST_POINTS or not 1 <= behind <= MOST_POINTS:
+        raise UnfitError(f"{frames} frames of {ahead} and {behind} points are no motion")
     if not 0.0 < float(held["rate"]) <= _FASTEST:
-        raise _UnfitError(f"rate {float(held['rate']):g} is not from 0 to {_FASTEST:g}")
+        raise UnfitError(f"rate {float(held['rate']):g} is not from 0 to {_FASTEST:g}")
     if int(held["first"]) < 0 or held["size"].min() < 1:
-        raise _UnfitError("first or size is below what can be")
+        raise UnfitError("first or size is below what can be")
     _check_ranges(held)
     return held
 
@@ -147,14 +131,14 @@ def _arrays(members: dict[str, bytes]) -> dict[str, AnyArray]:
 def _check_ranges(held: dict[str, AnyArray]) -> None:
     known = {int(fault) for fault in Fault}
     if not set(np.unique(held["fault"]).tolist()) <= known:
-        raise _UnfitError(f"fault holds a number that is not from 0 to {max(known)}")
+        raise UnfitError(f"fault holds a number that is not from 0 to {max(known)}")
     if not (held["fault"] == 0).any():
-        raise _UnfitError("no frame is good")
+        raise UnfitError("no frame is good")
     if not set(np.unique(held["folded"]).tolist()) <= {0, 1}:
-        raise _UnfitError("folded holds a number that is neither 0 nor 1")
+        raise UnfitError("folded holds a number that is neither 0 nor 1")
     confidence = held["confidence"]
     if confidence.min() < 0.0 or confidence.max() > 1.0:
-        raise _UnfitError("confidence is not from 0 to 1")
+        raise UnfitError("confidence is not from 0 to 1")
     for name in (
         "head_length",
         "tail_length",
@@ -164,60 +148,4 @@ def _check_ranges(held: dict[str, AnyArray]) -> None:
         "half_width",
     ):
         if held[name].min() < 0.0:
-            raise _UnfitError(f"{name} is negative")
-
-
-def _members(content: bytes) -> dict[str, bytes]:
-    """Return the bytes of the archive's arrays by name. Raise _UnfitError for anything but our own kind of archive."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            entries = {entry.filename.removesuffix(".npy"): entry for entry in archive.infolist()}
-            missing = sorted(set(_ARRAYS) - set(entries))
-            odd = sorted(set(entries) - set(_ARRAYS))
-            if missing or odd or len(archive.infolist()) != len(entries):
-                told = f"{missing[0]} is missing" if missing else f"{odd[:1]} does not belong there"
-                raise _UnfitError(told)
-            for name, entry in entries.items():
-                if entry.compress_type != zipfile.ZIP_STORED or entry.file_size > len(content):
-                    raise _UnfitError(f"{name} is compressed or truncated")
-            return {name: archive.read(entry) for name, entry in entries.items()}
-    except (
-        zipfile.BadZipFile, ValueError, OSError, EOFError, KeyError, IndexError, RuntimeError,
-        OverflowError,
-    ):  # fmt: skip
-        raise _UnfitError("not an npz archive, or damaged") from None
-
-
-def _array(name: str, data: bytes, dims: dict[str, int]) -> AnyArray:
-    """Return the array in an npy file's bytes; sizes that `_ARRAYS` names are the same in all, and kept in `dims`."""
-    dtype, wanted = _ARRAYS[name]
-    file = io.BytesIO(data)
-    try:
-        if np.lib.format.read_magic(file) != (1, 0):
-            raise _UnfitError(f"{name} is no npy array of version 1.0")
-        shape, fortran, found = np.lib.format.read_array_header_1_0(file)
-    except (ValueError, EOFError, OSError, MemoryError, RecursionError, TypeError, SyntaxError):
-        raise _UnfitError(f"{name} is damaged") from None
-    if found.hasobject:
-        raise _UnfitError(f"{name} holds pickled objects, which are never loaded")
-    if found != np.dtype(dtype) or fortran:
-        raise _UnfitError(f"{name} holds {found.str}, not {dtype} in C order")
-    fits = len(shape) == len(wanted) and min(shape, default=0) >= 0
-    for size, dim in zip(shape, wanted, strict=False):
-        fits = fits and size == (dims.setdefault(dim, size) if isinstance(dim, str) else dim)
-    if not fits:
-        raise _UnfitError(f"{name} has shape {shape}")
-    rest = file.read()
-    if len(rest) != math.prod(shape) * found.itemsize:
-        raise _UnfitError(f"{name} is truncated")
-    return np.frombuffer(rest, found).reshape(shape)
-
-
-def _provenance(data: bytes) -> dict[str, str]:
-    try:
-        note = json.loads(data.decode())
-    except (ValueError, RecursionError):
-        raise _UnfitError("provenance is damaged") from None
-    if not isinstance(note, dict) or not all(isinstance(v, str) for v in note.values()):
-        raise _UnfitError("provenance is not an object of strings")
-    return note
+            raise UnfitError(f"{name} is negative")

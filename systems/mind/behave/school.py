@@ -155,6 +155,40 @@ def part(hx: float, hy: float, hz: float, normal: Float64s, near: float, out: Fl
 
 
 @inlined
+def keep_company(
+    crowd: Crowd, me: int, near: Int64s, distance: Float64s, found: int, spacing: float
+) -> tuple[float, float, float, float, float]:
+    """Return the rule of Reynolds: the direction that separation, alignment and cohesion want, not of unit length.
+
+    Return also how far ahead [BL] the neighbours are on average, and how strongly they push. `near` are places in the
+    crowd, `distance` squares [m^2], (NEIGHBOURS,) each; `spacing` [m] is kept.
+    """
+    ax, ay, az = crowd.hx[me], crowd.hy[me], crowd.hz[me]
+    sx = sy = sz = cx = cy = cz = 0.0
+    elbow = 1.0 / (_ELBOW * spacing)
+    for k in range(found):
+        other = near[k]
+        dx, dy, dz = (
+            crowd.x[other] - crowd.x[me],
+            crowd.y[other] - crowd.y[me],
+            crowd.z[other] - crowd.z[me],
+        )
+        cx, cy, cz = cx + dx, cy + dy, cz + dz
+        ax, ay, az = ax + crowd.hx[other], ay + crowd.hy[other], az + crowd.hz[other]
+        push = max(1.0 / (sqrt(distance[k]) + 1e-9) - elbow, 0.0)
+        sx, sy, sz = sx - push * dx, sy - push * dy, sz - push * dz
+    sz *= _FLATTEN
+    cz /= _FLATTEN
+    share = 1.0 / (found + 1.0)
+    along = (cx * crowd.hx[me] + cy * crowd.hy[me] + cz * crowd.hz[me]) * share / crowd.length[me]
+    pull = share / spacing
+    x = _ALIGNMENT * share * ax + _SEPARATION * sx + _COHESION * pull * cx
+    y = _ALIGNMENT * share * ay + _SEPARATION * sy + _COHESION * pull * cy
+    z = _ALIGNMENT * share * az + _SEPARATION * sz + _COHESION * pull * cz
+    return x, y, z, along, sqrt(sx * sx + sy * sy + sz * sz)
+
+
+@inlined
 def school(
     crowd: Crowd,
     me: int,
@@ -181,28 +215,7 @@ def school(
     is whose unit way out is `normal`, (3,).
     """
     spacing *= 1.0 - _CLOSE_RANKS * alarm
-    ax, ay, az = crowd.hx[me], crowd.hy[me], crowd.hz[me]
-    sx = sy = sz = cx = cy = cz = 0.0
-    elbow = 1.0 / (_ELBOW * spacing)
-    for k in range(found):
-        other = near[k]
-        dx, dy, dz = (
-            crowd.x[other] - crowd.x[me],
-            crowd.y[other] - crowd.y[me],
-            crowd.z[other] - crowd.z[me],
-        )
-        cx, cy, cz = cx + dx, cy + dy, cz + dz
-        ax, ay, az = ax + crowd.hx[other], ay + crowd.hy[other], az + crowd.hz[other]
-        push = max(1.0 / (sqrt(distance[k]) + 1e-9) - elbow, 0.0)
-        sx, sy, sz = sx - push * dx, sy - push * dy, sz - push * dz
-    sz *= _FLATTEN
-    cz /= _FLATTEN
-    share = 1.0 / (found + 1.0)
-    along = (cx * crowd.hx[me] + cy * crowd.hy[me] + cz * crowd.hz[me]) * share / crowd.length[me]
-    pull = share / spacing
-    x = _ALIGNMENT * share * ax + _SEPARATION * sx + _COHESION * pull * cx
-    y = _ALIGNMENT * share * ay + _SEPARATION * sy + _COHESION * pull * cy
-    z = _ALIGNMENT * share * az + _SEPARATION * sz + _COHESION * pull * cz
+    x, y, z, along, crowding = keep_company(crowd, me, near, distance, found, spacing)
     if number > 0.0:
         far = sqrt(shoal[0] * shoal[0] + shoal[1] * shoal[1] + shoal[2] * shoal[2]) + 1e-9
         pull = _SHOAL * min(far / (8.0 * spacing), 1.0) / far
@@ -217,7 +230,6 @@ def school(
     pull = _ROAM * min(far / _ROAM_FADES, 1.0) / far
     rise = _ROAM * min(max((place_z - crowd.z[me]) / _RISE_FADES, -1.0), 1.0)
     out[0], out[1], out[2] = x + pull * dx, y + pull * dy, z + rise
-    crowding = sqrt(sx * sx + sy * sy + sz * sz)
     gear = _gear(previous_gear, along)
     urgency: float = min(0.15 + 0.5 * crowding + 0.2 * alarm, 0.8)
     if blocked > 0.0:
