@@ -199,7 +199,10 @@ def _add_capture(commands: "_Commands[argparse.ArgumentParser]") -> None:
 def _add_bench(commands: "_Commands[argparse.ArgumentParser]") -> None:
     bench = commands.add_parser("bench", help="measure, both sides of each ratio in one run")
     bench.add_argument(
-        "names", nargs="+", metavar="NAME", help="motor, step, view, video, startup, memory or all"
+        "names",
+        nargs="+",
+        metavar="NAME",
+        help="motor, minds, fibres, step, view, video, startup, memory or all",
     )
     bench.add_argument("--json", type=Path, metavar="FILE")
     bench.set_defaults(run=_bench)

@@ -9,6 +9,7 @@ import pytest
 
 from reefgame import recordings
 from reefgame.autopilot import tour
+from reefgame.bench.run import NAMES
 from reefgame.content import ContentError
 from reefgame.replay import read_replay
 from reefgame.testing import play
@@ -216,3 +217,9 @@ def test_capture_writes_the_shipped_bytes(reefgame: Run, installed: Path, tmp_pa
 def test_play_of_a_level_at_fault_raises_content_error() -> None:
     with pytest.raises(ContentError, match="there is no level"):
         play("nowhere", tour, 1.0)
+
+
+def test_the_help_of_bench_names_every_bench(reefgame: Run) -> None:
+    status, out, _ = reefgame("bench", "--help")
+    assert status == 0
+    assert f"{', '.join(NAMES)} or all" in " ".join(out.split())
