@@ -17,7 +17,7 @@ from components.segment import Pattern
 from reefgame.console import say
 from reefgame.content import load_species
 from tools.video.follow import follow
-from tools.video.images import Colour
+from tools.video.images import Colour, Grey
 from tools.video.motion import Motion, fin_tips, rebuilt_axis
 from tools.video.retarget.choose import target_from
 from tools.video.retarget.film import View, draw, water
@@ -75,7 +75,7 @@ def cell(play: Retargeting, angles: Float64s, zoom: float = 0.72) -> Colour:
 def figure_7(motion: IntermediateMotion, clip: SyntheticClip) -> Colour:
     """Return the clip's frames above those of the six models, the rest pose first."""
     tops = [np.full((CELL[1], CELL[0], 3), 255, np.uint8)]
-    tops += [_clipped(clip, motion, frame) for frame in SHOWN]
+    tops += [clipped(clip.frame(frame), motion, frame) for frame in SHOWN]
     rows = [np.concatenate(tops, axis=1)]
     for name in ROWS:
         target = target_from(name)
@@ -85,14 +85,14 @@ def figure_7(motion: IntermediateMotion, clip: SyntheticClip) -> Colour:
     return np.concatenate(rows, axis=0)
 
 
-def _clipped(clip: SyntheticClip, motion: IntermediateMotion, frame: int) -> Colour:
-    """Return the clip's frame with the fish in the middle and its head up."""
+def clipped(picture: Grey, motion: IntermediateMotion, frame: int) -> Colour:
+    """Return a picture of the clip's size, as the fish lies at `frame`: in the middle, its head up."""
     turn = np.degrees(motion.direction[frame]) - 90.0
     scale = 0.72 * CELL[1] / motion.length
     x, y = (float(v) for v in motion.centre[frame])
     matrix = cv2.getRotationMatrix2D((x, y), -turn, scale)
     matrix[:, 2] += np.array([0.5 * CELL[0] - x, 0.46 * CELL[1] - y])
-    grey = cv2.warpAffine(clip.frame(frame), matrix, CELL, borderMode=cv2.BORDER_REPLICATE)
+    grey = cv2.warpAffine(picture, matrix, CELL, borderMode=cv2.BORDER_REPLICATE)
     return np.asarray(cv2.cvtColor(grey, cv2.COLOR_GRAY2RGB), np.uint8)
 
 
@@ -100,7 +100,8 @@ def figure_5(clip: SyntheticClip, motion: Motion, target: Target, frame: int) ->
     """Return the tracked fish, its features, the model after the first level and after the second."""
     played = intermediate(motion)
     play = Retargeting(target, played)
-    fish, marked = _clipped(clip, played, frame), _clipped(clip, played, frame)
+    fish = clipped(clip.frame(frame), played, frame)
+    marked = fish.copy()
     place = Placement(played.centre[frame], float(played.direction[frame]), 1.0)
     scale = 0.72 * CELL[1] / played.length
     points = np.concatenate(
@@ -167,12 +168,17 @@ def main(folder: Path) -> None:
         "retarget_models": figure_7(played, clip),
     }
     for name, picture in pictures.items():
-        smaller = cv2.resize(picture, None, fx=0.6, fy=0.6, interpolation=cv2.INTER_AREA)
-        shown = picture if picture.shape[1] <= 1000 else np.asarray(smaller, np.uint8)
-        bgr = cv2.cvtColor(shown, cv2.COLOR_RGB2BGR)
-        _, content = cv2.imencode(".png", bgr, [cv2.IMWRITE_PNG_COMPRESSION, 9])
-        (folder / f"{name}.png").write_bytes(content.tobytes())
+        write_picture(folder / f"{name}.png", picture, 1.0 if picture.shape[1] <= 1000 else 0.6)
     say("\n".join(lines))
+
+
+def write_picture(path: Path, picture: Colour, scale: float) -> None:
+    """Write a figure as PNG, made smaller by `scale`."""
+    size = (round(scale * picture.shape[1]), round(scale * picture.shape[0]))
+    smaller = cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
+    bgr = cv2.cvtColor(smaller, cv2.COLOR_RGB2BGR)
+    _, content = cv2.imencode(".png", bgr, [cv2.IMWRITE_PNG_COMPRESSION, 9])
+    path.write_bytes(content.tobytes())
 
 
 if __name__ == "__main__":
