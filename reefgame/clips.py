@@ -10,7 +10,7 @@ from reefgame.console import InputError, Report, complain, progress_bar, say
 from reefgame.output import check_output, replacing, unwritable
 
 if TYPE_CHECKING:
-    from tools.video.follow import Choices, Followed
+    from tools.video.follow import Choices, Choose, Followed
 
 PAGE = "index.html"
 
@@ -26,8 +26,12 @@ class Request:
     "folder of the page, none where None"
 
 
-def film_to_motion(request: Request, choices: "Choices") -> "Followed":
+def film_to_motion(
+    request: Request, choices: "Choices", choose: "Choose | None" = None
+) -> "Followed":
     """Follow the fish in a clip, write its motion and, if asked, the page; return what was found.
+
+    `choose` says which fish it is once the clip has been looked at.
 
     Raise FaultError, one line, with nothing half-written.
     """
@@ -39,7 +43,7 @@ def film_to_motion(request: Request, choices: "Choices") -> "Followed":
     if request.report is not None:
         _prepare(request.report)
     with progress_bar(request.clip.name) as report:
-        followed = follow(request.clip, choices, report)
+        followed = follow(request.clip, choices, report, choose)
         with replacing(target) as fresh:
             save(fresh, followed.assembled.motion)
         if request.report is not None:

@@ -35,9 +35,11 @@ def add_video(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -
         default="median",
         help="how the ground is told from the fish; vibe is patented, see docs/video.md",
     )
-    video.add_argument(
+    which = video.add_mutually_exclusive_group()
+    which.add_argument(
         "--select", type=_place, metavar="X,Y", help="which fish: a pixel that it covers at first"
     )
+    which.add_argument("--choose", action="store_true", help="or: click it in a window")
     video.add_argument(
         "--report", type=Path, metavar="DIR", help="a page with a film and figures, index.html"
     )
@@ -94,7 +96,14 @@ def _video(options: argparse.Namespace) -> int:
         return _species_from_motion(options)
     choices = Choices(options.background, options.select, options.fps, options.hz)
     output = None if options.target is not None else options.output
-    followed = film_to_motion(Request(options.clip, output, options.report), choices)
+    request = Request(options.clip, output, options.report)
+    if options.choose:
+        from reefgame.choosing import choice_by_click
+
+        with choice_by_click() as choose:
+            followed = film_to_motion(request, choices, choose)
+    else:
+        followed = film_to_motion(request, choices)
     motion = followed.assembled.motion
     if options.target is not None:
         return film_command(options, motion)
@@ -110,9 +119,10 @@ def _check_together(options: argparse.Namespace) -> None:
     if options.species is not None and options.target is not None:
         raise InputError("--species makes a mod, --target a film: ask for one of them")
     if options.clip.suffix == ".motion" and any(
-        (options.fps, options.hz, options.select, options.report)
+        (options.fps, options.hz, options.select, options.choose, options.report)
     ):
-        raise InputError(f"{options.clip}: --fps, --hz, --select and --report need a clip")
+        told = "--fps, --hz, --select, --choose and --report need a clip"
+        raise InputError(f"{options.clip}: {told}")
 
 
 def _species_from_motion(options: argparse.Namespace) -> int:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 SIZE: Final = (1280, 720)
 SMALLEST: Final = (480, 300)
+_INSTEAD: Final = "the game needs one to open a window; --headless plays without"
 _SEEDS: Final = 2**31
 
 
@@ -110,10 +111,10 @@ def watch(replay: "Replay", content: Content) -> int:
     return 0
 
 
-def open_window(size: tuple[int, int], headless: bool = False) -> Any:
+def open_window(size: tuple[int, int], headless: bool = False, instead: str = _INSTEAD) -> Any:
     """Return a new pyglet window with OpenGL 3.3, invisible where `headless`.
 
-    Raise InputError, one line, where there is no display or no OpenGL.
+    Raise InputError, one line, where there is no display, which says what to do `instead`, or no OpenGL.
     """
     choose_options(headless=headless)
     try:
@@ -125,7 +126,7 @@ def open_window(size: tuple[int, int], headless: bool = False) -> Any:
     try:
         get_display()
     except _display_error() as error:
-        raise InputError(_no_display(error)) from None
+        raise InputError(_no_display(error, instead)) from None
     try:
         window = windows.Window(
             *size, caption=CAPTION, resizable=True, vsync=True, visible=False, config=config()
@@ -143,10 +144,10 @@ def _display_error() -> type[Exception]:
     return error if isinstance(error, type) and issubclass(error, Exception) else OSError
 
 
-def _no_display(error: Exception) -> str:
+def _no_display(error: Exception, instead: str) -> str:
     asked = os.environ.get("DISPLAY", "")
     where = f"no display answers at '{asked}'" if asked else f"no display ({error})"
-    return f"{where}: the game needs one to open a window; --headless plays without"
+    return f"{where}: {instead}"
 
 
 def _no_opengl(error: Exception) -> str:

@@ -41,6 +41,8 @@ _SURVEYED: Final = 0.35
 """Part of the work that the first pass is."""
 
 Report = Callable[[float, str], None]
+Choose = Callable[["Scene"], tuple[float, float] | None]
+"""Says, once the first pass is over, where the fish is when it is first seen [px]; None leaves it at the largest."""
 
 
 def quiet(done: float, what: str) -> None:
@@ -94,19 +96,28 @@ class _Seen(NamedTuple):
     fault: Fault
 
 
-def follow(path: Path, choices: Choices | None = None, report: Report = quiet) -> Followed:
+def follow(
+    path: Path,
+    choices: Choices | None = None,
+    report: Report = quiet,
+    choose: Choose | None = None,
+) -> Followed:
     """Return the motion of the fish in a clip. Raise ClipError, one line, where there is none."""
     threads = cv2.getNumThreads()
     # The two threads here keep two processors busy; OpenCV's own would only get in their way.
     cv2.setNumThreads(1)
     try:
-        return _follow(path, choices or Choices(), report)
+        return _follow(path, choices or Choices(), report, choose)
     finally:
         cv2.setNumThreads(threads)
 
 
-def _follow(path: Path, chosen: Choices, report: Report) -> Followed:
+def _follow(path: Path, chosen: Choices, report: Report, choose: Choose | None) -> Followed:
     scene = look(Clip(path), chosen, lambda done: report(_SURVEYED * done, "looking at the clip"))
+    place = None if choose is None else choose(scene)
+    if place is not None:
+        chosen = replace(chosen, select=place)
+        scene = _aimed(scene, _checked(scene.clip, place))
     features = []
     for found in frame_by_frame(scene, chosen):
         features.append(found)
@@ -128,23 +139,27 @@ def look(clip: Clip, choices: Choices, report: Callable[[float], None]) -> Scene
     found = survey(clip, report)
     plate, painted = clean_plate(found.samples)
     gate = threshold(found.samples, plate)
-    select = _checked(clip, choices.select)
-    narrow, wide = (_areas(found, plate, gate, select, wary) for wary in (True, False))
+    scene = Scene(clip, found, plate, gate, painted, usual_area=0.0, wary=True)
+    return _aimed(scene, _checked(clip, choices.select))
+
+
+def _aimed(scene: Scene, select: tuple[float, float] | None) -> Scene:
+    """Return the scene with the size of the fish at `select` [working px]. Raise ClipError where no fish is seen."""
+    narrow, wide = (_areas(scene, select, wary) for wary in (True, False))
     if not np.isfinite(narrow).any():
-        raise ClipError(f"{clip.path}: frame {found.first}: no fish is seen: nothing large moves")
+        told = f"frame {scene.survey.first}: no fish is seen: nothing large moves"
+        raise ClipError(f"{scene.clip.path}: {told}")
     both = np.isfinite(narrow) & np.isfinite(wide)
     wary = not both.any() or float(np.median(wide[both] / narrow[both])) > _SHADED
-    area = float(np.nanmedian(narrow if wary else wide))
-    return Scene(clip, found, plate, gate, painted, area, wary)
+    return replace(scene, usual_area=float(np.nanmedian(narrow if wary else wide)), wary=wary)
 
 
-def _areas(
-    found: Survey, plate: Grey, gate: float, select: tuple[float, float] | None, wary: bool
-) -> Float64s:
+def _areas(scene: Scene, select: tuple[float, float] | None, wary: bool) -> Float64s:
     """Return the area of the fish in each sample [px], nan where none is seen, (n,)."""
-    finder = Segmenter(plate, gate, model_of("median", plate))
+    finder = Segmenter(scene.plate, scene.gate, model_of("median", scene.plate))
     finder.select, finder.wary = select, wary
-    seen = [finder.find(sample) for sample in found.samples] if gate > 0.0 else []
+    samples = scene.survey.samples
+    seen = [finder.find(sample) for sample in samples] if scene.gate > 0.0 else []
     return np.array([np.nan if one is None else one.area for one in seen])
 
 

@@ -5,7 +5,7 @@ FINDINGS 4, rule 1. The fish is looked for near where it was; where it is not fo
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 import cv2
 import numpy as np
@@ -49,6 +49,17 @@ class Sighting:
     "mean difference from the plate inside the mask, over T"
     at_edge: bool
     "whether it touches the edge of the frame"
+
+
+class Outlines(NamedTuple):
+    """All that differs from the plate in a part of a frame."""
+
+    outlines: list[Int32s]
+    "[px from the part's corner], (n, 2) each"
+    areas: Float64s
+    "[px], 0 for what is too small to be a fish, (m,)"
+    difference: Grey
+    "from the plate"
 
 
 class Segmenter:
@@ -113,21 +124,24 @@ class Segmenter:
         touched = zip(found.box, near, edges, strict=True)
         return any(side == limit and limit != edge for side, limit, edge in touched)
 
-    def _pick(self, grey: Grey, near: Box) -> Sighting | None:
+    def outlines(self, grey: Grey, near: Box) -> Outlines:
+        """Return the outlines of all that differs inside `near`."""
         difference, moving = self.differing(grey, near)
         mask = self.filtered(difference, moving)
         found, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
         areas = np.array([cv2.contourArea(c) if len(c) > _LEAST_ROUND else 0.0 for c in found])
-        if not len(areas) or areas.max() < _LEAST:
-            return None
-        best = self._best([np.asarray(c[:, 0, :], np.int32) for c in found], areas, near)
-        return self._cut_out(
-            np.asarray(found[best], np.int32), float(areas[best]), difference, near, grey
-        )
+        outlines = [np.asarray(c[:, 0, :], np.int32) for c in found]
+        return Outlines(outlines, np.where(areas >= _LEAST, areas, 0.0), difference)
 
-    def _best(self, outlines: Sequence[Int32s], areas: Float64s, near: Box) -> int:
+    def _pick(self, grey: Grey, near: Box) -> Sighting | None:
+        outlines, size, difference = self.outlines(grey, near)
+        if not len(size) or size.max() == 0.0:
+            return None
+        best = self._best(outlines, size, near)
+        return self._cut_out(outlines[best], float(size[best]), difference, near, grey)
+
+    def _best(self, outlines: Sequence[Int32s], size: Float64s, near: Box) -> int:
         """Return the component that is the fish: where it was, else where it was chosen, else the largest."""
-        size = np.where(areas >= _LEAST, areas, 0.0)
         corner = np.array(near[:2])
         if self._box is not None:
             left, top, right, bottom = self._box
@@ -158,9 +172,7 @@ class Segmenter:
         height, width = grey.shape
         box = (left, top, left + w, top + h)
         at_edge = left <= 0 or top <= 0 or left + w >= width or top + h >= height
-        return Sighting(
-            mask, own[:, 0, :], (left - RIM, top - RIM), box, area, float(contrast), at_edge
-        )
+        return Sighting(mask, own, (left - RIM, top - RIM), box, area, float(contrast), at_edge)
 
     def fault(self, found: Sighting | None) -> Fault:
         """Return what is wrong with a sighting, nothing where it shows the fish alone and whole."""
