@@ -79,6 +79,20 @@ def test_an_unknown_codec_is_told(tmp_path: Path, frames: list[Grey]) -> None:
     assert "its codec is not known" in _refused(path)
 
 
+def test_a_film_without_frames_is_told(tmp_path: Path, frames: list[Grey]) -> None:
+    path = tmp_path / "clip.avi"
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream("mjpeg", rate=30)
+        stream.width, stream.height, stream.pix_fmt = 320, 240, "yuvj420p"
+        container.mux(stream.encode(av.VideoFrame.from_ndarray(frames[0], format="gray")))
+        container.mux(stream.encode(None))
+    content = bytearray(path.read_bytes())
+    at = content.index(b"\xff\xd8", content.index(b"movi"))
+    content[at : content.index(b"idx1")] = bytes(content.index(b"idx1") - at)
+    path.write_bytes(bytes(content))
+    assert "0 frames can be read" in _refused(path)
+
+
 def test_a_film_cut_short_gives_what_it_holds(
     film: Callable[..., Path], frames: list[Grey]
 ) -> None:
@@ -186,6 +200,21 @@ def test_a_hand_is_no_fish(film: Callable[..., Path]) -> None:
     assert "the fish leaves the frame; no motion can be made" in told
 
 
+def test_a_hand_wholly_in_the_frame_is_no_fish(film: Callable[..., Path]) -> None:
+    chance = np.random.default_rng(0)
+    hands = []
+    for k in range(24):
+        hand = np.full((240, 320), 190, np.uint8)
+        cv2.rectangle(hand, (70, 85 + k), (150, 145 + k), (60,), -1)
+        for finger in range(4):
+            bent = round(10 * np.sin(0.6 * k + finger))
+            root, tip = 92 + k + finger * 15, 60 + k + finger * 36 + bent
+            cv2.line(hand, (150, root), (230, tip), (60,), 10)
+        hands.append(np.clip(hand + chance.normal(0, 3, hand.shape), 0, 255).astype(np.uint8))
+    told = _refused(film(hands))
+    assert "frame 0: the axis leaves the fish; what moves is no fish in 19 of 24 frames" in told
+
+
 def test_a_portrait_clip_is_a_clip(film: Callable[..., Path], frames: list[Grey]) -> None:
     followed = follow(film([np.ascontiguousarray(np.rot90(frame)) for frame in frames]))
     assert not _faults(followed)
@@ -218,6 +247,16 @@ def test_a_large_clip_is_worked_on_smaller_and_measured_as_shown(
     followed = follow(path)
     assert followed.assembled.motion.size == (1920, 1440)
     assert followed.assembled.motion.length == pytest.approx(6 * 144, rel=0.03)
+
+
+def test_frames_of_4k_pass_at_the_working_size(tmp_path: Path, frames: list[Grey]) -> None:
+    path = tmp_path / "ultra.mp4"
+    ultra = (np.asarray(cv2.resize(frame[30:210], (3840, 2160)), np.uint8) for frame in frames[:5])
+    write_film(path, ultra, 30.0, PLAYABLE)
+    followed = follow(path)
+    assert followed.assembled.motion.size == (3840, 2160)
+    assert followed.scene.plate.shape == (540, REDUCED_SIDE)
+    assert not _faults(followed)
 
 
 def test_a_still_tail_gives_no_rate(film: Callable[..., Path], frames: list[Grey]) -> None:

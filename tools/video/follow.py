@@ -37,6 +37,8 @@ _SHADED: Final = 1.15
 """Growth of the fish's area, where all that differs weakly is let in, from which that is shadow and no fin."""
 _ROUNDED: Final = 1
 """Frames by which a header may err that tells seconds alone."""
+_LIKE_A_FISH: Final = 1.0 / 3.0
+"""Of the frames that show it whole: in so many at least, what moves has the shape of a fish, or is none."""
 _SURVEYED: Final = 0.35
 """Part of the work that the first pass is."""
 
@@ -129,6 +131,7 @@ def _follow(path: Path, chosen: Choices, report: Report, choose: Choose | None) 
     assembled = assemble(features, rate, size, clip.scale, provenance(scene, chosen))
     if assembled is None:
         raise ClipError(_no_fish(scene, features))
+    _check_shape(scene, assembled)
     if chosen.beats is not None:
         assembled = _timed(assembled, chosen.beats)
     return Followed(scene, features, assembled, tuple(_notes(scene, assembled, chosen)))
@@ -267,6 +270,19 @@ def _timed(assembled: Assembled, beats: float) -> Assembled:
         clip = assembled.motion.provenance["clip"]
         raise ClipError(f"{clip}: the tail does not beat in it, so --hz says nothing; give --fps")
     return replace(assembled, motion=replace(assembled.motion, rate=beats * period))
+
+
+def _check_shape(scene: Scene, assembled: Assembled) -> None:
+    """Raise ClipError where what moves is no fish, as a hand is not: few of the frames that show it whole are good."""
+    odd = np.flatnonzero(assembled.fault >= Fault.ROUND)
+    seen = len(odd) + np.count_nonzero(assembled.fault == Fault.NONE)
+    if seen - len(odd) >= _LIKE_A_FISH * seen:
+        return
+    reason = REASONS[Fault(int(assembled.fault[odd[0]]))]
+    told = (
+        f"what moves is no fish in {len(odd)} of {seen} frames; no motion can be made of this clip"
+    )
+    raise ClipError(f"{scene.clip.path}: frame {odd[0]}: {reason}; {told}")
 
 
 def _no_fish(scene: Scene, features: list[Features]) -> str:
