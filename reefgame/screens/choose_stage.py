@@ -1,10 +1,15 @@
 """The first sight of a clip, fitted into the window of `reefgame video --choose` (papers/003, section 3.1)."""
 
+from typing import Final
+
 import numpy as np
 
 from components.arrays import Float64s
 from tools.video.candidates import FirstSight
 from tools.video.images import Colour
+
+BAR: Final = 0.055
+"""Of the window's height, kept free at its lower edge for a line of text."""
 
 
 class ChooseStage:
@@ -34,10 +39,11 @@ class ChooseStage:
     def box(self, width: int, height: int) -> tuple[float, float, float, float]:
         """Return where the picture lies in a window of width x height [px]: x, y, width and height."""
         rows, columns = self.picture.shape[:2]
-        scale = min(width / columns, height / rows)
+        low = BAR * height
+        scale = min(width / columns, (height - low) / rows)
         return (
             0.5 * (width - scale * columns),
-            0.5 * (height - scale * rows),
+            low + 0.5 * (height - low - scale * rows),
             scale * columns,
             scale * rows,
         )

@@ -7,15 +7,13 @@ from pyglet.image import ImageData
 
 from reefgame.screens import theme
 from reefgame.screens.canvas import Canvas, Text
-from reefgame.screens.choose_stage import ChooseStage
+from reefgame.screens.choose_stage import BAR, ChooseStage
 from reefgame.screens.game_window import key_name
 from reefgame.screens.screen import trace
 from reefgame.screens.strokes import Strokes
 
 _FRAMES_A_SECOND: Final = 30
 _LEFT_BUTTON: Final = 1
-_BAR: Final = 40.0
-"""[units] that the line at the lower edge takes."""
 _TOLD: Final = "click the fish to follow; Esc takes the largest"
 _MISSED: Final = "no fish moves there: click inside an outline"
 
@@ -77,7 +75,7 @@ class ChooseWindow:
                 rows, columns = picture.shape[:2]
                 image = ImageData(columns, rows, "RGB", picture.tobytes(), -3 * columns)
                 canvas.picture(image.get_texture(), self._stage.box(*size), order=0)
-            bar = _BAR * canvas.unit
+            bar = BAR * size[1]
             canvas.panel(0, 0, size[0], bar, theme.ABYSS, order=1)
             self._line = canvas.text(
                 "", 0.5 * size[0], 0.5 * bar, theme.BODY, anchor="center center", order=2
