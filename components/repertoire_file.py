@@ -38,13 +38,13 @@ _ARRAYS: Final[Kinds] = {
     "pattern": ("|i1", ("patterns",)),
     "loops": ("|i1", ("loops",)),
     "length": ("<i4", ("lengths",)),
-    "rotation": ("<f8", ("entries", 3, 3)),
-    "translation": ("<f8", ("entries", 3)),
-    "shape": ("<f4", ("entries", NODES, 3)),
+    "rotation": ("<f8", ("rotations", 3, 3)),
+    "translation": ("<f8", ("translations", 3)),
+    "shape": ("<f4", ("shapes", NODES, 3)),
     "provenance": ("|u1", ("bytes",)),
 }
 _OPTIONAL: Final[Kinds] = {
-    "control": ("<f4", ("entries", CONTROL_POINTS, 3)),
+    "control": ("<f4", ("controls", CONTROL_POINTS, 3)),
 }
 _ENTRIES: Final = ("rotation", "translation", "shape", "control")
 """Arrays with a row for each entry."""
