@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 FILM_RATE: Final = 30.0
 """Frames a second of films and sequences."""
 WINDOW: Final = (1120, 760)
+INSTEAD: Final = "a motion is edited in Python with tools.video.retouch.session.Session"
+"""What to do where there is no window."""
 HEADS: Final = ("up", "down", "left", "right")
 """As tools.video.retarget.choose.HEADS, which needs OpenCV."""
 
@@ -182,7 +184,7 @@ def run_retouch(options: argparse.Namespace) -> int:
     played = intermediate(motion)
     from reefgame.window import open_window
 
-    window = open_window(WINDOW)
+    window = open_window(WINDOW, instead=INSTEAD)
     from reefgame.screens.retouch_stage import RetouchStage
     from reefgame.screens.retouch_window import RetouchWindow
 

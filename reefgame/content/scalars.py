@@ -25,8 +25,6 @@ _DATE = re.compile(r"[0-9]{4}-[0-9]{1,2}-[0-9]{1,2}([Tt \t].*)?\Z")
 _NOT_FINITE = re.compile(r"[-+]?\.?(inf|infinity|nan)\Z", re.IGNORECASE)
 _DIGITS_AT_MOST = 40
 
-Surprise: TypeAlias = tuple[str, str]
-
 
 class SurpriseError(ValueError):
     """A bare word that readers of YAML take for different things; the text says what to write."""

@@ -1,5 +1,8 @@
 """`reefgame video MOTION --target MODEL`: films, sequences and what is refused (papers/003, section 5)."""
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import av
@@ -105,3 +108,18 @@ def test_a_picture_of_ones_own_needs_no_more_than_its_name(
     assert main(["video", str(motion), "--target", str(own), "--head", "up", "-o", str(film)]) == 0
     assert capsys.readouterr().out.splitlines() == [str(film)]
     assert film.stat().st_size > 1000
+
+
+def test_retouch_without_a_display_says_how_to_edit_all_the_same(motion: Path) -> None:
+    run = subprocess.run(
+        [sys.executable, "-m", "reefgame.cli", "retouch", str(motion)],
+        env=os.environ | {"DISPLAY": ""},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 1
+    (line,) = run.stderr.splitlines()
+    assert line.startswith("no display")
+    assert "tools.video.retouch.session.Session" in line
+    assert "--headless" not in line
