@@ -26,7 +26,7 @@ from systems.sea.gather import Lists, gather
 LOCAL_SIZE: Final = 4
 """Work-items in a work-group: fixed, so that the kernel is built once; few, so that cores share evenly."""
 
-LEAST_NODES: Final = 4_096
+LEAST_NODES: Final = 1_024
 """Nodes below which starting the device takes longer than numba's twin, which then serves: the bits are the same."""
 
 _STEPS: Final = 20
