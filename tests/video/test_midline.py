@@ -63,6 +63,20 @@ def test_a_fin_is_taken_off_and_the_tail_is_not(body_mask: Callable[..., Grey]) 
     assert (finless.body[:, 235:] == tail).all()
 
 
+@pytest.mark.parametrize("widest", [130, 150, 170])
+def test_a_pointed_snout_is_no_fin(widest: int) -> None:
+    mask = np.zeros((200, 360), np.uint8)
+    body = [(20, 100), (widest, 120), (220, 120), (340, 104), (340, 96), (220, 80), (widest, 80)]
+    cv2.fillPoly(mask, [np.array(body, np.int32)], 255)
+    snout = mask[:, : widest - 10].copy()
+    fin = [(widest, 115), (widest + 25, 140), (widest + 30, 138), (widest + 20, 115)]
+    cv2.fillPoly(mask, [np.array(fin, np.int32)], 255)
+    finless = _finless(mask)
+    assert len(finless.fins) == 1
+    assert (finless.body[:, : widest - 10] == snout).all()
+    assert _axis(mask)[0, 0] == pytest.approx(20.0, abs=2.0)
+
+
 def test_a_fin_does_not_bend_the_axis(body_mask: Callable[..., Grey]) -> None:
     plain, finned = _axis(body_mask()), _axis(_with_fin(body_mask()))
     assert np.abs(plain - finned).max() < 2.0

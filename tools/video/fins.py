@@ -19,7 +19,9 @@ from tools.video.images import Grey
 _DISC: Final = 0.5
 """Radius of the opening's disc over that of the largest disc inside the mask."""
 _TAIL_REACH, _HEAD_REACH = 0.55, 0.8
-"""Parts of the way from centre to tail and head beyond which nothing is a fin."""
+"""Parts of the way from centre to tail and head beyond which nothing whose middle lies there is a fin."""
+_SLENDER: Final = 0.5
+"""Width over length below which a mask's foremost point is a snout's; that of a fish bent into a C may be a fin's."""
 _TAIL_SHARE: Final = 0.01
 _TRIFLE: Final = 0.002
 
@@ -45,11 +47,15 @@ def without_fins(mask: Grey, outline: Int32s, centre: Float64s, ahead: Float64s)
     residue = cv2.bitwise_and(mask, cv2.bitwise_not(_opened(depth, _DISC * radius)))
     parts, _ = cv2.findContours(residue, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     along = (outline - centre) @ ahead
+    aside = (outline - centre) @ np.array([-ahead[1], ahead[0]])
+    slender = np.ptp(aside) < _SLENDER * np.ptp(along)
     fins = _fins(
         [np.asarray(part, np.int32) for part in parts],
         centre,
         ahead,
         (float(along.min()), float(along.max())),
+        # A pointed snout is no fin, however far back it begins: a pixel of its tip is enough to tell.
+        float(along.max()) - 1.0 if slender else float("inf"),
         cv2.contourArea(outline),
     )
     body = mask.copy()
@@ -63,15 +69,22 @@ def _fins(
     centre: Float64s,
     ahead: Float64s,
     reach: tuple[float, float],
+    snout: float,
     whole: float,
 ) -> list[Int32s]:
-    """Return the contours of a residue's parts that are fins; `reach` [px] is the mask's behind and ahead of centre."""
+    """Return the contours of a residue's parts that are fins; `reach` [px] is the mask's behind and ahead of centre.
+
+    A part that goes further ahead than `snout` [px] is the head's.
+    """
     areas = np.array([cv2.contourArea(part) for part in parts])
-    along = np.array([float((part.mean(axis=(0, 1)) - centre) @ ahead) for part in parts])
+    places = [(part[:, 0, :] - centre) @ ahead for part in parts]
+    along = np.array([float(place.mean()) for place in places])
+    foremost = np.array([float(place.max()) for place in places])
     kept = (
         (areas < _TRIFLE * whole)
         | (along > _HEAD_REACH * reach[1])
         | (along < _TAIL_REACH * reach[0])
+        | (foremost > snout)
     )
     if len(parts):
         rearmost = int(np.argmin(along))
