@@ -10,6 +10,7 @@ import numpy as np
 
 from components.arrays import Float64s
 from tools.video.beats import beat_of
+from tools.video.images import Bools
 from tools.video.water.film import Film, FilmError, angles
 
 FEWEST_BEATS: Final = 1.4
@@ -34,6 +35,10 @@ STEADY: Final = 0.8
 """Part of the bend that one sinusoid must explain in a bout that is used."""
 
 
+_GUESSES: Final = 6
+"""Peaks of the spectrum at which beats are looked for."""
+
+
 class Bout(NamedTuple):
     """Some beats that follow one another."""
 
@@ -56,30 +61,38 @@ def bend(film: Film) -> Float64s:
 
 def bouts(film: Film) -> list[Bout]:
     """Return overlapping bouts of some beats each, steadiest first. Raise FilmError where the fish does not swim."""
-    signal, good = bend(film), film.good.astype(np.float64)
-    if not film.good.any() or float(np.std(signal[film.good])) < LEAST_SWING:
+    signal, good = bend(film), film.good
+    if not good.any() or float(np.std(signal[good])) < LEAST_SWING:
         raise FilmError("the fish hardly bends: there is no beat of the tail to take")
-    typical = _typical(signal, good, film.rate)
-    frames = min(len(signal), round(BOUT_BEATS * film.rate / typical))
-    hop = max(1, round(_HOP * film.rate / typical), (len(signal) - frames) // MOST_BOUTS)
+    for typical in _typical(signal, good.astype(np.float64), film.rate):
+        found = _bouts(signal, good, film.rate, typical)
+        if found and found[0].steadiness >= STEADY:
+            return found
+    raise FilmError(
+        "no beats of the tail follow one another evenly: nothing can be cut out of this motion"
+    )
+
+
+def _bouts(signal: Float64s, good: Bools, rate: float, typical: float) -> list[Bout]:
+    """Return bouts, steadiest first, of a signal with about `typical` beats a second."""
+    frames = min(len(signal), round(BOUT_BEATS * rate / typical))
+    hop = max(1, round(_HOP * rate / typical), (len(signal) - frames) // MOST_BOUTS)
     found = []
     for first in range(0, len(signal) - frames + 1, hop):
         span = slice(first, first + frames)
         if good[span].mean() < STEADY or float(np.std(signal[span])) < LEAST_SWING:
             continue
-        beat = beat_of(signal[span], film.good[span])
+        beat = beat_of(signal[span], good[span])
         if beat.beats >= FEWEST_BEATS and beat.period >= FEWEST_FRAMES:
-            found.append(Bout(first, first + frames, film.rate / beat.period, beat.certainty))
-    found.sort(key=lambda bout: -bout.steadiness)
-    if not found or found[0].steadiness < STEADY:
-        raise FilmError(
-            "no beats of the tail follow one another evenly: nothing can be cut out of this motion"
-        )
-    return found
+            found.append(Bout(first, first + frames, rate / beat.period, beat.certainty))
+    return sorted(found, key=lambda bout: -bout.steadiness)
 
 
-def _typical(signal: Float64s, good: Float64s, rate: float) -> float:
-    """Return about how many beats a second a long signal has: by its spectrum, whatever its phase does."""
+def _typical(signal: Float64s, good: Float64s, rate: float) -> list[float]:
+    """Return about how many beats a second a long signal has: by its spectrum, whatever its phase does.
+
+    The likeliest comes first; a turn bends a fish slowly and further than its beats do, and may hide them.
+    """
     frames = min(len(signal), 512)
     power, size = np.zeros(4 * 512 // 2 + 1), 4 * 512
     for first in range(0, len(signal) - frames + 1, max(1, frames // 2)):
@@ -95,4 +108,8 @@ def _typical(signal: Float64s, good: Float64s, rate: float) -> float:
         raise FilmError(
             f"{len(signal)} frames are too few: {FEWEST_BEATS:g} beats of the tail are needed"
         )
-    return float(rates[fits][np.argmax(power[fits])])
+    strength = np.where(fits, power, 0.0)
+    peaks = 1 + np.flatnonzero((strength[1:-1] >= strength[:-2]) & (strength[1:-1] > strength[2:]))
+    likely = peaks[np.argsort(-strength[peaks])][:_GUESSES].tolist()
+    best = int(np.argmax(strength))
+    return [float(rates[k]) for k in dict.fromkeys([best, *likely])]

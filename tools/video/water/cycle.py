@@ -24,6 +24,9 @@ STATION_STRIDE: Final = 0.2
 STROUHAL: Final = 0.3
 """Sweep over stride that is assumed of a fish that holds station: what steady swimmers keep to."""
 
+SLIP: Final = 0.36
+"""Way aside over way ahead from which a current carries a fish, 20 degrees: it cannot swim so."""
+
 _FRAMES_A_HARMONIC: Final = 2.5
 _FINE: Final = 240
 
@@ -37,7 +40,7 @@ class Cycle:
     stride: float
     "[BL] a beat"
     assumed: bool
-    "whether `stride` was assumed, for the fish held station"
+    "whether `stride` was assumed, for the fish held station, or was carried aside"
     bends: Float64s
     "cosine and sine of each harmonic of where the parts of the axis point, to the left [rad], (40, 4, 2)"
     surge: Float64s
@@ -106,11 +109,11 @@ def cycle(film: Film, bout: Bout) -> Cycle:
     bends, drift, residual = _fitted(pointing, times, good, bout.frequency, max(most, 1))
     share = weights(film)
     heading = share @ drift
-    stride, surge, sway = _travel(
+    stride, aside, surge, sway = _travel(
         places(film)[span] * (1.0, -1.0), heading, times, good, bout.frequency, film.rate
     )
     made = Cycle(bout.frequency, stride, False, bends, surge, sway, share, residual)
-    if stride >= STATION_STRIDE:
+    if stride >= STATION_STRIDE and abs(aside) < SLIP * stride:
         return made
     return Cycle(bout.frequency, made.sweep() / STROUHAL, True, bends, surge, sway, share, residual)
 
@@ -135,8 +138,8 @@ def _fitted(
 
 def _travel(
     at: Float64s, heading: Float64s, times: Float64s, good: Float64s, frequency: float, rate: float
-) -> tuple[float, Float64s, Float64s]:
-    """Return the stride [BL] and the harmonics of surge and sway, of places (F, 2) [BL], y to the left.
+) -> tuple[float, float, Float64s, Float64s]:
+    """Return the stride ahead and aside [BL] and the harmonics of surge and sway, of places (F, 2) [BL], y to the left.
 
     They are seen along the slowly drifting `heading` (F,) [rad]: steps are turned into it, and their harmonics summed
     up again.
@@ -153,4 +156,5 @@ def _travel(
     summed = (
         np.stack((-terms[:, :_OF_TRAVEL, 1], terms[:, :_OF_TRAVEL, 0]), axis=-1) / rates[:, None]
     )
-    return float(drift[0].mean()) / frequency, summed[0], summed[1]
+    ahead_mean, aside_mean = (drift.mean(axis=1) / frequency).tolist()
+    return ahead_mean, aside_mean, summed[0], summed[1]

@@ -1,6 +1,7 @@
 """A filmed fish made into a species: body, muscles, repertoire, and what is to be said about them."""
 
 from dataclasses import dataclass
+from typing import Final
 
 from components.body import Body, Swim
 from components.repertoire import Pattern, Repertoire, Segment
@@ -9,9 +10,11 @@ from tools.video.water.beats import bouts
 from tools.video.water.body import body_of
 from tools.video.water.cycle import Cycle
 from tools.video.water.film import Film, FilmError
-from tools.video.water.gaits import Cut, gaits_of
+from tools.video.water.gaits import Cut, Gaits, gaits_of
 from tools.video.water.joining import joined
 from tools.video.water.muscles import muscles_for
+
+_TURNS: Final = {Pattern.TURN_LEFT, Pattern.TURN_SHARP_LEFT}
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,8 @@ def species_of(film: Film, source: str, progress: Progress) -> FilmedSpecies:
     """
     progress(0.0, "beats of the tail")
     body = body_of(film)
-    cuts, cruise = gaits_of(film, bouts(film), body)
+    gaits = gaits_of(film, bouts(film), body)
+    cuts, cruise = gaits.cuts, gaits.cruise
     progress(0.1, "muscles for this body")
     muscles = muscles_for(body, cruise)
     if muscles is None:
@@ -48,7 +52,7 @@ def species_of(film: Film, source: str, progress: Progress) -> FilmedSpecies:
     segments = [cut.segment for cut in cuts]
     notes = _notes(cuts, source)
     made = joined(segments, notes, captured, muscles.body, muscles.swim)
-    return FilmedSpecies(muscles.body, muscles.swim, made, cruise, tuple(_said(cuts, made, cruise)))
+    return FilmedSpecies(muscles.body, muscles.swim, made, cruise, tuple(_said(gaits, made)))
 
 
 def _notes(cuts: list[Cut], source: str) -> dict[str, str]:
@@ -62,22 +66,34 @@ def _notes(cuts: list[Cut], source: str) -> dict[str, str]:
     return notes | {"warnings": "; ".join(warnings)}
 
 
-def _said(cuts: list[Cut], made: Repertoire, cruise: Cycle) -> list[str]:
+def _said(gaits: Gaits, made: Repertoire) -> list[str]:
+    cuts, cruise = gaits.cuts, gaits.cruise
     filmed = {cut.segment.pattern for cut in cuts}
-    others = [s.pattern for s in made.segments if s.pattern not in filmed]
+    others = [_words(s) for s in made.segments if s.pattern not in filmed]
     lines = [f"from the clip: {_words(cut.segment)}, {cut.figures}" for cut in cuts]
     if others:
         lines.append(
-            f"from muscles of the same body: {', '.join(p.name.lower().replace('_', ' ') for p in others)}"
+            f"from muscles of the same body, for the clip could not give them: {', '.join(others)}"
         )
+    lines += [f"frame {at}: a turn is not taken: {why}" for at, why in _refused(gaits)]
     if cruise.assumed:
+        told = "for it held station or a current carried it"
         lines.append(
-            f"assumed: {cruise.speed:.2f} BL/s, for it held station; its tail sweeps .3 of what it swims in a beat"
+            f"assumed: {cruise.speed:.2f} BL/s, {told}; its tail sweeps .3 of what it swims in a beat"
         )
+    if cruise.assumed and filmed & _TURNS:
+        lines.append("assumed: a current that stays the same while the fish turns in it")
     lines.append(
         "assumed: how deep the body is, its fins and its tail's span, which a view from above does not show"
     )
     return lines
+
+
+def _refused(gaits: Gaits) -> list[tuple[int, str]]:
+    """Return the first turn that was not taken, and why, where none was taken at all."""
+    if {cut.segment.pattern for cut in gaits.cuts} & _TURNS:
+        return []
+    return sorted(gaits.refused.items())[:1]
 
 
 def _words(segment: Segment) -> str:

@@ -19,8 +19,12 @@ from components.trigonometry import DEGREE
 from tools.capture.bend import JOINT_LIMIT, SHARP_LEAST, largest_joint
 from tools.capture.cut import cut
 from tools.capture.measure import TURN_RANGE_DEG, turn_text
+from tools.video.water.beats import Bout
 from tools.video.water.film import STATIONS, Film, angles, places, weights
 from tools.video.water.lattice import recording_of
+
+LEAST: Final = TURN_RANGE_DEG[0] * DEGREE
+"""[rad] from which a swing is a turn."""
 
 
 class Pace(NamedTuple):
@@ -51,6 +55,9 @@ NEAR: Final = 0.03
 GRADUAL: Final = 25.0 * DEGREE
 """[rad] that a gradual turn had best turn."""
 
+ASTRAY: Final = 0.5
+"""Part of a turn by which that of a fish's way through the water may differ from it."""
+
 _MARGIN: Final = 0.25
 """Beats before and after that belong to a turn."""
 
@@ -64,6 +71,15 @@ class Swing(NamedTuple):
     "the frame after its last"
     turn: float
     "change of the slow heading, to the left [rad]"
+
+
+class Turns(NamedTuple):
+    """What a film gives of turns."""
+
+    taken: list[tuple[Segment, str, Swing]]
+    "the gradual, then the sharp one, each with its figures and where it is"
+    refused: dict[int, str]
+    "why others were not taken, by the frame that they begin with"
 
 
 def swings(film: Film, frequency: float, pace: Pace) -> list[Swing]:
@@ -81,6 +97,15 @@ def swings(film: Film, frequency: float, pace: Pace) -> list[Swing]:
     return found
 
 
+def turns_within(film: Film, frequency: float, bout: Bout) -> bool:
+    """Return whether a fish turns while it beats its tail as in a bout."""
+    return any(
+        swing.first < bout.stop and bout.first < swing.stop and abs(swing.turn) >= LEAST
+        for pace in (GENTLE, QUICK)
+        for swing in swings(film, frequency, pace)
+    )
+
+
 def slow_heading(film: Film, frequency: float) -> Float64s:
     """Return the heading to the left, each beat's swing averaged out of it [rad], (F,)."""
     whole = -angles(film) @ weights(film)
@@ -92,22 +117,26 @@ def slow_heading(film: Film, frequency: float) -> Float64s:
     return smooth
 
 
-def turns_of(
-    film: Film, frequency: float, body: Body, cruise: Segment
-) -> Iterator[tuple[Segment, str, Swing]]:
-    """Yield the gradual and the sharp turn of a film, where it has any, with figures and where they are.
+def turns_of(film: Film, frequency: float, body: Body, cruise: Segment) -> Turns:
+    """Return the gradual and the sharp turn of a film, where it has any.
 
     The gradual one turns by about 25 degrees, the sharp one as far as possible; no joint bends too far in either.
     """
-    least, most = (degrees * DEGREE for degrees in TURN_RANGE_DEG)
-    gradual = [
-        one for one in _tries(film, frequency, GENTLE, body, cruise) if least <= one.net < most
-    ]
-    sharp = [one for one in _tries(film, frequency, QUICK, body, cruise) if one.net >= SHARP_LEAST]
+    most = TURN_RANGE_DEG[1] * DEGREE
+    refused: dict[int, str] = {}
+    gentle, quick = (
+        list(_tries(film, frequency, pace, body, cruise, refused)) for pace in (GENTLE, QUICK)
+    )
+    gradual = [one for one in gentle if LEAST <= one.net < most]
+    sharp = [one for one in quick if one.net >= SHARP_LEAST]
+    taken = []
     if gradual:
-        yield _named(Pattern.TURN_LEFT, min(gradual, key=lambda one: abs(one.net - GRADUAL)))
+        taken.append(
+            _named(Pattern.TURN_LEFT, min(gradual, key=lambda one: abs(one.net - GRADUAL)))
+        )
     if sharp:
-        yield _named(Pattern.TURN_SHARP_LEFT, max(sharp, key=lambda one: one.net))
+        taken.append(_named(Pattern.TURN_SHARP_LEFT, max(sharp, key=lambda one: one.net)))
+    return Turns(taken, refused)
 
 
 class _Try(NamedTuple):
@@ -126,24 +155,63 @@ def _named(pattern: Pattern, best: _Try) -> tuple[Segment, str, Swing]:
     return segment, turn_text(segment, best.gap), best.swing
 
 
-def _tries(film: Film, frequency: float, pace: Pace, body: Body, cruise: Segment) -> Iterator[_Try]:
-    """Yield each swing of a pace that bends no joint too far, up to where the fish is most nearly in its beat again."""
+def _tries(
+    film: Film,
+    frequency: float,
+    pace: Pace,
+    body: Body,
+    cruise: Segment,
+    refused: dict[int, str],
+) -> Iterator[_Try]:
+    """Yield each swing of a pace that can be taken, up to where the fish is most nearly in its beat again.
+
+    Why others cannot is written into `refused`.
+    """
     for swing in swings(film, frequency, pace):
-        beat = round(film.rate / frequency)
-        line = _lines(film, swing.first, min(swing.stop + beat, len(film.axis)))
-        run = recording_of(line * (1.0, -1.0) if swing.turn < 0.0 else line, body)
-        if largest_joint(run.nodes) > JOINT_LIMIT:
+        if abs(swing.turn) < LEAST:
             continue
-        whole = cut(run, Pattern.TURN_LEFT, 0, len(line) - 1, False)
-        gaps = np.array([np.abs(cruise.shape - s).max(axis=(1, 2)).min() for s in whole.shape])
-        early = min(round((swing.stop - swing.first) / film.rate * TICKS_PER_SECOND), len(gaps)) - 1
-        near = np.flatnonzero(gaps[early:] <= max(NEAR, 1.2 * float(gaps[early:].min())))
-        length = early + int(near[0]) + 1
-        made = cut(run, Pattern.TURN_LEFT, 0, length, False)
-        if _jumps(made) or mean_speed(made) < SLOWEST:
-            continue
-        turned = swing._replace(stop=swing.first + round(length * film.rate / TICKS_PER_SECOND) + 1)
-        yield _Try(made, float(gaps[length - 1]), _net(film, frequency, turned), turned)
+        made = _try(film, frequency, swing, body, cruise)
+        if isinstance(made, str):
+            refused[swing.first] = made
+        else:
+            yield made
+
+
+def _try(film: Film, frequency: float, swing: Swing, body: Body, cruise: Segment) -> _Try | str:
+    """Return a swing cut as a turn, or why it cannot be."""
+    if not _goes_where_it_heads(film, frequency, swing):
+        return "its way does not turn with it: the camera goes along, or the current changes"
+    beat = round(film.rate / frequency)
+    line = _lines(film, swing.first, min(swing.stop + beat, len(film.axis)))
+    run = recording_of(line * (1.0, -1.0) if swing.turn < 0.0 else line, body)
+    if largest_joint(run.nodes) > JOINT_LIMIT:
+        return "it bends further than a body of the game can"
+    whole = cut(run, Pattern.TURN_LEFT, 0, len(line) - 1, False)
+    gaps = np.array([np.abs(cruise.shape - s).max(axis=(1, 2)).min() for s in whole.shape])
+    early = min(round((swing.stop - swing.first) / film.rate * TICKS_PER_SECOND), len(gaps)) - 1
+    near = np.flatnonzero(gaps[early:] <= max(NEAR, 1.2 * float(gaps[early:].min())))
+    length = early + int(near[0]) + 1
+    made = cut(run, Pattern.TURN_LEFT, 0, length, False)
+    if _jumps(made):
+        return "it leaps, as where frames are missing"
+    if mean_speed(made) < SLOWEST:
+        return "it does not go ahead"
+    turned = swing._replace(stop=swing.first + round(length * film.rate / TICKS_PER_SECOND) + 1)
+    return _Try(made, float(gaps[length - 1]), _net(film, frequency, turned), turned)
+
+
+def _goes_where_it_heads(film: Film, frequency: float, swing: Swing) -> bool:
+    """Return whether a fish that swings round goes another way then, as one must that swims."""
+    half, at = max(1, round(0.5 * film.rate / frequency)), places(film) * (1.0, -1.0)
+    way = [
+        at[min(frame + half, len(at) - 1)] - at[max(frame - half, 0)]
+        for frame in (swing.first, swing.stop)
+    ]
+    across = way[0][0] * way[1][1] - way[0][1] * way[1][0]
+    turned = float(np.arctan2(across, way[0] @ way[1]))
+    off = turned - swing.turn
+    off -= 2.0 * np.pi * round(off / (2.0 * np.pi))
+    return bool(abs(off) <= ASTRAY * abs(swing.turn))
 
 
 def _jumps(segment: Segment) -> bool:
