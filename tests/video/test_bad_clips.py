@@ -221,6 +221,32 @@ def test_a_portrait_clip_is_a_clip(film: Callable[..., Path], frames: list[Grey]
     assert followed.assembled.motion.size == (240, 320)
 
 
+@pytest.mark.parametrize("quarters", [1, 2, -1])
+def test_a_telephones_clip_is_read_upright(
+    tmp_path: Path, frames: list[Grey], quarters: int
+) -> None:
+    path = tmp_path / "telephone.mp4"
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream("libx264", rate=30, options={"crf": "10"})
+        held = [np.ascontiguousarray(np.rot90(frame, -quarters)) for frame in frames[:20]]
+        stream.height, stream.width = held[0].shape
+        stream.pix_fmt = "yuv420p"
+        stream.set_display_rotation(90 * quarters)
+        for picture in held:
+            container.mux(stream.encode(av.VideoFrame.from_ndarray(picture, format="gray")))
+        container.mux(stream.encode(None))
+    clip = Clip(path)
+    assert (clip.width, clip.height) == (320, 240)
+    first = next(iter(clip.frames(colour=True)))
+    assert first.grey is not None
+    assert first.colour is not None
+    for shown in (first.grey, first.colour.mean(axis=2)):
+        assert np.abs(shown.astype(float) - frames[0]).mean() < 12.0
+    followed = follow(path)
+    assert not _faults(followed)
+    assert followed.assembled.motion.size == (320, 240)
+
+
 def test_sixteen_bits_are_as_good_as_eight(tmp_path: Path, frames: list[Grey]) -> None:
     path = tmp_path / "deep.mkv"
     with av.open(str(path), "w") as container:
