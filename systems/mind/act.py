@@ -15,6 +15,7 @@ from components.index import Places, row_of
 from components.kernels import inlined, merged, row
 from components.mind import FOOD, SUBMARINE, Courtship, Role
 from components.vector import level_off, point
+from systems.mind.attention import Attention, Thoughts
 from systems.mind.behave.avoid_fish import avoid_fish, avoid_submarine
 from systems.mind.behave.avoid_static_obstacle import avoid_static_obstacle, choose_side
 from systems.mind.behave.eat import eat
@@ -31,10 +32,11 @@ from systems.mind.intend import (
     ESCAPE,
     LEAVE,
     MATE,
+    OBEY,
     SCHOOL,
     WANDER,
 )
-from systems.mind.perceive import HORIZON, Attention
+from systems.mind.perceive import HORIZON
 from systems.mind.scene import Minds, Scene
 from systems.mind.seek import is_male
 
@@ -219,11 +221,11 @@ def _court(
 
 @merged
 def _flee(
-    scene: Scene, me: int, attention: Attention, piece: int, seen: int, scare: float, number: float
+    scene: Scene, thoughts: Thoughts, k: int, attention: Attention, piece: int
 ) -> tuple[int, float, float]:
     """Flee from all predators seen and from the submarine: who does not school, to shelter."""
-    crowd, kind = scene.crowd, scene.crowd.species[me]
-    danger, shelter = attention.danger[piece], attention.shelter[piece]
+    crowd, me = scene.crowd, thoughts.me[k]
+    kind, danger, shelter = crowd.species[me], thoughts.danger[k], attention.shelter[piece]
     sheltered = scene.senses.schooling[kind] == 0 and danger[6] > 0.0
     if sheltered:
         sheltered = find_shelter(
@@ -231,28 +233,23 @@ def _flee(
             _SHELTER_WITHIN, shelter,
         )  # fmt: skip
     return escape(
-        crowd, me, attention.hunters[piece], seen, attention.away[piece], scare, shelter, sheltered,
-        attention.shoal[piece], number, scene.seed, scene.now, attention.out[piece],
+        crowd, me, thoughts.hunters[k], thoughts.seen[k], thoughts.away[k], thoughts.scare[k],
+        shelter, sheltered, thoughts.shoal[k], thoughts.number[k], scene.seed, scene.now,
+        attention.out[piece],
     )  # fmt: skip
 
 
 @merged
-def act(
-    scene: Scene, me: int, minds: Minds, attention: Attention, piece: int, previous: int,
-    found: int, number: float, other: int, when: float, seen: int, predator: int, scare: float,
-    obstacle: float, rise: float,
-) -> None:  # fmt: skip
-    """Run the behaviour routine of the intention; write heading, gear, urgency, throttle and gape.
-
-    `found`, `number`: neighbours of its kind and its shoal; `other`, `when`: who collides; `seen`, `predator`,
-    `scare`: how many predators, the place of the worst, -1 for none, and fear of the submarine; `obstacle`: as
-    `Percept` has it; `rise`: where light and warmth lie.
-    """
+def _act_one(
+    scene: Scene, minds: Minds, thoughts: Thoughts, k: int, attention: Attention, piece: int
+) -> None:
+    """Run the behaviour routine of one mind's intention."""
     crowd, senses, terrain, now = scene.crowd, scene.senses, scene.terrain, scene.now
+    me, previous, obstacle = thoughts.me[k], thoughts.previous[k], thoughts.obstacle[k]
     i, kind, length, identity = crowd.row[me], crowd.species[me], crowd.length[me], crowd.id[me]
     x, y, z, speeds = crowd.x[me], crowd.y[me], crowd.z[me], senses.speed[kind]
-    out, away, danger = attention.out[piece], attention.away[piece], attention.danger[piece]
-    normal, shoal, heading = attention.normal[piece], attention.shoal[piece], minds.heading[i]
+    out, danger, normal = attention.out[piece], thoughts.danger[k], thoughts.normal[k]
+    heading = minds.heading[i]
     intention, focus, gape = minds.intention[i], minds.focus[i], 0.0
     low, high = liked_depth(terrain, x, y, length, senses.deep[kind], senses.shallow[kind])
     calm = intention in (SCHOOL, WANDER, LEAVE)
@@ -260,9 +257,9 @@ def act(
         to_x, to_y, up = _travel(scene, kind, x, y, minds.cohort[i], attention.roaming[piece])
         blocked = min(max(3.0 - 2.0 * obstacle, 0.0), 1.0)
         gear, urgency, throttle = school(
-            crowd, me, attention.near[piece], attention.distance[piece], found, shoal, number,
-            senses.spacing[kind] * length, to_x, to_y, low + up * (high - low), minds.gear[i],
-            minds.fear[i], danger, normal, blocked, out,
+            crowd, me, thoughts.near[k], thoughts.distance[k], thoughts.found[k],
+            thoughts.shoal[k], thoughts.number[k], senses.spacing[kind] * length, to_x, to_y,
+            low + up * (high - low), minds.gear[i], minds.fear[i], danger, normal, blocked, out,
         )  # fmt: skip
         out[2] *= SCHOOL_FLATNESS
     elif intention == AVOID_OBSTACLE:
@@ -274,8 +271,9 @@ def act(
             min(max(1.0 - obstacle, 0.0), 1.0), side, out,
         )  # fmt: skip
     elif intention == AVOID_FISH:
+        when = min(thoughts.when[k], thoughts.meets[k])
         gear, urgency, throttle = _avoid(
-            crowd, me, focus == SUBMARINE, away, other, when, heading, out
+            crowd, me, focus == SUBMARINE, thoughts.away[k], thoughts.other[k], when, heading, out
         )
     elif intention == EAT and focus != -1:
         prey = place_of(scene.places, crowd.place, focus)
@@ -286,12 +284,12 @@ def act(
     elif intention == MATE:
         gear, urgency, throttle = _court(scene, me, minds, focus, high, out)
     elif intention == ESCAPE:
-        gear, urgency, throttle = _flee(scene, me, attention, piece, seen, scare, number)
+        gear, urgency, throttle = _flee(scene, thoughts, k, attention, piece)
     elif intention == LEAVE:
-        gear, urgency, throttle = leave(terrain, crowd, me, rise, low, high, out)
+        gear, urgency, throttle = leave(terrain, crowd, me, thoughts.rise[k], low, high, out)
     elif focus == SUBMARINE:
         ring = _WIDE_RING if senses.role[kind] == _PREDATOR else _RING + length
-        gear, urgency, throttle = visit(crowd, me, speeds, away, ring, now, out)
+        gear, urgency, throttle = visit(crowd, me, speeds, thoughts.away[k], ring, now, out)
     else:
         gear, urgency, throttle, minds.wander_until[i] = _wander(
             terrain, kind, identity, x, y, z, max(speeds[0], 0.3) * length, low, high, scene.seed,
@@ -300,9 +298,25 @@ def act(
         gear = max(gear, 1) if intention == EAT else gear
     if calm:
         _stay_in_range(terrain.radius, x, y, z, low, high, out)
-    if predator >= 0 and (calm or intention in (EAT, MATE)) and intention != SCHOOL:
+    if thoughts.predator[k] >= 0 and (calm or intention in (EAT, MATE)) and intention != SCHOOL:
         _shun(danger, minds.fear[i], out)
     point(heading, out[0], out[1], out[2])
     level_off(heading, _CALM_SLOPE if calm else _STEEPEST)
     minds.gear[i], minds.urgency[i], minds.throttle[i] = gear, urgency, throttle
     minds.gape[i] = gape
+
+
+@merged
+def act(
+    scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
+    piece: int,
+) -> None:  # fmt: skip
+    """Run the behaviour routines of the minds of rows begin..end; write heading, gear, urgency, throttle and gape."""
+    attention.roaming[piece, 0] = -1.0
+    for k in range(begin, end):
+        heed_worst(
+            scene.crowd, thoughts.me[k], thoughts.predator[k], thoughts.scare[k], thoughts.away[k],
+            scene.submarine_velocity, thoughts.danger[k],
+        )  # fmt: skip
+        if thoughts.previous[k] != OBEY:
+            _act_one(scene, minds, thoughts, k, attention, piece)

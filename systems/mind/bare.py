@@ -12,17 +12,11 @@ from components.ground import Terrain
 from components.kernels import Launch, loop, row
 from components.senses import SenseTable
 from components.vector import point
+from systems.mind.attention import Attention, make_attention
 from systems.mind.behave.school import keep_company
+from systems.mind.gather import find_runs, gather, reach_of
 from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan
-from systems.mind.perceive import (
-    Attention,
-    find_runs,
-    gather,
-    make_attention,
-    nearest_of_kind,
-    reach_of,
-    see_around,
-)
+from systems.mind.perceive import nearest_of_kind, see_around
 
 
 @row
@@ -48,11 +42,11 @@ def flock_some(
         length = crowd.length[me]
         reach = reach_of(plan, senses.sight[kind], length)
         many = see_around(crowd, me, reach, around, attention, piece)
-        found = nearest_of_kind(crowd, me, many, attention, piece)
+        near, distance = attention.sought[piece], attention.sought_distance[piece]
+        found = nearest_of_kind(crowd, me, many, attention, piece, near, distance)
         x, y, z, _, _ = keep_company(
-            crowd, me, attention.near[piece], attention.distance[piece], found,
-            senses.spacing[kind] * length,
-        )  # fmt: skip
+            crowd, me, near, distance, found, senses.spacing[kind] * length
+        )
         point(heading[crowd.row[me]], x, y, z)
         gear[crowd.row[me]] = 1
 
@@ -67,7 +61,8 @@ def flock_all(
         piece = (at * 27) % PIECES
         begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
         flock_some(
-            turn, every, begin, end, plan, crowd, senses, heading, gear, attention, piece
+            turn, every, begin, end, plan, crowd, senses, heading, gear, attention,
+            numba.get_thread_id(),
         )  # fmt: skip
 
 

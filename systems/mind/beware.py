@@ -13,16 +13,9 @@ from components.arrays import Float64s, Int32s, Int64s
 from components.kernels import inlined, merged
 from components.senses import SWALLOWED
 from components.sightline import in_sight
+from systems.mind.attention import MOST_AROUND, NO_DANGER, Attention
 from systems.mind.feel import fear_of
-from systems.mind.perceive import (
-    LATERAL_LINE,
-    MOST_AROUND,
-    NO_DANGER,
-    Attention,
-    collision,
-    in_view,
-    insert,
-)
+from systems.mind.perceive import LATERAL_LINE, collision, in_view, insert
 from systems.mind.scene import Scene
 from systems.mind.sparse import LONGEST_RUN, Sparse
 
@@ -61,16 +54,16 @@ def _within(
 
 @merged
 def watch_hunters(
-    scene: Scene, me: int, target: int, runs_found: int, attention: Attention, piece: int
-) -> tuple[int, int, float]:
+    scene: Scene, me: int, target: int, runs_found: int, attention: Attention, piece: int,
+    hunters: Int64s, distance: Float64s,
+) -> tuple[int, int, float]:  # fmt: skip
     """Find the nearest that eat this fish, in view or felt, and the first hunter to collide with it.
 
-    Write places and squared distances, nearest first; return how many they are, the place of who collides, -1 for none,
-    and the time to it [s]. Who eats it, or is its `target`'s place, is no obstacle.
+    Write places and squared distances, nearest first, (NEIGHBOURS,) each; return how many they are, the place of who
+    collides, -1 for none, and the time to it [s]. Who eats it, or is its `target`'s place, is no obstacle.
     """
     crowd, sparse, senses = scene.crowd, scene.hunters, scene.senses
-    runs, hunters = attention.hunter_runs[piece], attention.hunters[piece]
-    distance = attention.hunter_distance[piece]
+    runs = attention.coarse_runs[piece]
     kind, length = crowd.species[me], crowd.length[me]
     x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
     farthest = min(scene.habitat.visibility, sparse.cell)

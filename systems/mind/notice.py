@@ -1,96 +1,122 @@
-"""Noticing: company and dangers, all that may decide before wants are felt (papers/004; papers/000, 3.2)."""
+"""Noticing: company and dangers, all that may decide before wants are felt (papers/004; papers/000, 3.2).
 
-from typing import Final, NamedTuple
+Each function takes one step for the minds of the rows `begin` to `end` of a batch.
+"""
 
-from components.arrays import Float64s
+from typing import Final
+
 from components.kernels import merged
 from components.mind import Role
+from systems.mind.attention import NO_DANGER, Attention, Thoughts
 from systems.mind.beware import fear_all, watch_hunters
 from systems.mind.feel import fear_of_submarine, speed_of
-from systems.mind.perceive import (
-    Attention,
-    feel_ahead,
-    meet_submarine,
-    reach_of,
-    see_around,
-    watch,
-)
-from systems.mind.scene import Scene
+from systems.mind.gather import find_runs, gather, reach_of
+from systems.mind.perceive import feel_ahead, looks_round, meet_submarine, see_around, watch
+from systems.mind.scene import Minds, Scene
 from systems.mind.shoal import see_shoal
+from systems.mind.sparse import find_sparse_runs
 
 _PREY: Final = int(Role.PREY)
 
 
-class Dangers(NamedTuple):
-    """What a fish perceives of company and dangers."""
-
-    found: int
-    "nearest of its kind listed"
-    number: float
-    "fishes of its shoal, 0 for none"
-    other: int
-    "place of who collides first, -1 for none"
-    when: float
-    "[s] until then"
-    meets: float
-    "[s] until the submarine is too near"
-    obstacle: float
-    "distance of the nearest obstacle over the distance that alarms"
-    seen: int
-    "predators listed"
-    predator: int
-    "place of the most dangerous, -1 for none"
-    fear: float
-    danger: float
-    scare: float
-    "fear of the submarine"
-
-
 @merged
-def _scared(scene: Scene, me: int, away: Float64s) -> float:
-    """Return fear of the submarine: prey's alone."""
-    senses, kind = scene.senses, scene.crowd.species[me]
-    if senses.role[kind] != _PREY or scene.submarines == 0:
-        return 0.0
-    v = scene.submarine_velocity
-    return fear_of_submarine(
-        senses.wariness[kind], speed_of(v[0, 0], v[0, 1], v[0, 2]),
-        speed_of(away[0], away[1], away[2]),
-    )  # fmt: skip
-
-
-@merged
-def notice(
-    scene: Scene, me: int, target: int, around: int, hunter_runs: int, attention: Attention,
-    piece: int,
-) -> Dangers:  # fmt: skip
-    """Look at all that may be company or danger."""
+def notice_company(
+    scene: Scene, thoughts: Thoughts, begin: int, end: int, attention: Attention, piece: int
+) -> None:
+    """List the nearest of its kind and who collides first; minds of a cell share the look around it."""
     crowd, senses = scene.crowd, scene.senses
-    kind, length = crowd.species[me], crowd.length[me]
-    schooling = senses.schooling[kind] != 0
-    reach = reach_of(scene.plan, senses.sight[kind], length)
-    many = see_around(crowd, me, reach, around, attention, piece)
-    found, other, when = watch(crowd, me, schooling, target, senses.eats, many, attention, piece)
-    number = 0.0
-    if schooling:
-        far = min(2.0 * senses.sight[kind], scene.habitat.visibility)
-        number = see_shoal(scene.plan, crowd, me, far, attention.shoal[piece])
-    seen, predator, fear, danger = 0, -1, 0.0, 0.0
-    if hunter_runs > 0:
-        seen, big, soon = watch_hunters(scene, me, target, hunter_runs, attention, piece)
-        if soon < when:
-            other, when = big, soon
-        fear, danger, predator, seen = fear_all(
-            scene, me, seen, attention.hunters[piece], attention.hunter_distance[piece]
+    column = layer = -1
+    around = 0
+    for k in range(begin, end):
+        me = thoughts.me[k]
+        kind = crowd.species[me]
+        if crowd.column[me] != column or crowd.layer[me] != layer:
+            column, layer = crowd.column[me], crowd.layer[me]
+            runs = find_runs(scene.plan, crowd, column, layer, attention.runs[piece])
+            around = gather(crowd, runs, attention, piece)
+        reach = reach_of(scene.plan, senses.sight[kind], crowd.length[me])
+        many = see_around(crowd, me, reach, around, attention, piece)
+        thoughts.found[k], thoughts.other[k], thoughts.when[k] = watch(
+            crowd, me, senses.schooling[kind] != 0, thoughts.target[k], senses.eats, many,
+            attention, piece, thoughts.near[k], thoughts.distance[k],
+        )  # fmt: skip
+
+
+@merged
+def notice_shoals(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> None:
+    """See the shoals that schoolers belong to."""
+    crowd, senses = scene.crowd, scene.senses
+    for k in range(begin, end):
+        me = thoughts.me[k]
+        thoughts.number[k] = 0.0
+        if senses.schooling[crowd.species[me]] != 0:
+            far = min(2.0 * senses.sight[crowd.species[me]], scene.habitat.visibility)
+            thoughts.number[k] = see_shoal(scene.plan, crowd, me, far, thoughts.shoal[k])
+
+
+@merged
+def notice_hunters(
+    scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
+    piece: int,
+) -> None:  # fmt: skip
+    """Look for hunters, who is calm in every second thought, and fear them."""
+    crowd = scene.crowd
+    far = min(scene.habitat.visibility, scene.hunters.cell)
+    for k in range(begin, end):
+        me, runs = thoughts.me[k], 0
+        if minds.fear[crowd.row[me]] > 0.0 or looks_round(scene.now, crowd.id[me]):
+            runs = find_sparse_runs(
+                scene.hunters, crowd.x[me], crowd.y[me], crowd.z[me], far,
+                attention.coarse_runs[piece],
+            )  # fmt: skip
+        thoughts.seen[k] = 0
+        if runs > 0:
+            thoughts.seen[k], big, soon = watch_hunters(
+                scene, me, thoughts.target[k], runs, attention, piece, thoughts.hunters[k],
+                thoughts.hunter_distance[k],
+            )  # fmt: skip
+            if soon < thoughts.when[k]:
+                thoughts.other[k], thoughts.when[k] = big, soon
+    for k in range(begin, end):
+        thoughts.fear[k], thoughts.worst[k] = 0.0, 0.0
+        thoughts.predator[k] = -1
+        if thoughts.seen[k] > 0:
+            (
+                thoughts.fear[k], thoughts.worst[k], thoughts.predator[k], thoughts.seen[k],
+            ) = fear_all(
+                scene, thoughts.me[k], thoughts.seen[k], thoughts.hunters[k],
+                thoughts.hunter_distance[k],
+            )  # fmt: skip
+
+
+@merged
+def notice_obstacles(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> None:
+    """Feel ahead for what stands still."""
+    crowd = scene.crowd
+    for k in range(begin, end):
+        me = thoughts.me[k]
+        alarm = 0.8 * crowd.length[me] + 0.2
+        near = feel_ahead(scene.terrain, crowd, me, 1.5 * alarm, thoughts.normal[k])
+        thoughts.obstacle[k] = near / alarm
+
+
+@merged
+def notice_submarine(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> None:
+    """See whether the submarine comes too near, which prey alone fears."""
+    crowd, senses, velocity = scene.crowd, scene.senses, scene.submarine_velocity
+    if scene.submarines == 0:
+        for k in range(begin, end):
+            thoughts.meets[k], thoughts.scare[k] = NO_DANGER, 0.0
+        return
+    speed = speed_of(velocity[0, 0], velocity[0, 1], velocity[0, 2])
+    for k in range(begin, end):
+        me, away, scare = thoughts.me[k], thoughts.away[k], 0.0
+        kind = crowd.species[me]
+        thoughts.meets[k] = meet_submarine(
+            crowd, me, scene.submarine, velocity, scene.submarines, away
         )
-    alarm = 0.8 * length + 0.2
-    obstacle = feel_ahead(scene.terrain, crowd, me, 1.5 * alarm, attention.normal[piece]) / alarm
-    away = attention.away[piece]
-    meets = meet_submarine(
-        crowd, me, scene.submarine, scene.submarine_velocity, scene.submarines, away
-    )
-    scare = _scared(scene, me, away)
-    return Dangers(
-        found, number, other, when, meets, obstacle, seen, predator, min(fear + scare, 1.0),
-        max(danger, scare), scare,
-    )  # fmt: skip
+        if senses.role[kind] == _PREY:
+            far = speed_of(away[0], away[1], away[2])
+            scare = fear_of_submarine(senses.wariness[kind], speed, far)
+        thoughts.scare[k] = scare
+        thoughts.fear[k] = min(thoughts.fear[k] + scare, 1.0)

@@ -6,17 +6,15 @@ not see. What was perceived lives in scratch and is forgotten.
 """
 
 from math import sqrt
-from typing import Final, NamedTuple, TypeAlias
+from typing import Final, TypeAlias
 
 import numpy as np
 
-from components.arrays import Float64s, Int8s, Int32s, Int64s
+from components.arrays import Float64s, Int8s, Int64s
 from components.ground import Terrain, clearance
-from components.kernels import inlined, row
-from systems.mind.grid import PIECES, REACH, Crowd, Plan
-
-NEIGHBOURS: Final = 8
-"""The nearest of a kind that a fish attends to (FINDINGS 5)."""
+from components.kernels import inlined
+from systems.mind.attention import MOST_AROUND, NEIGHBOURS, NO_DANGER, Attention
+from systems.mind.grid import Crowd
 
 LATERAL_LINE: Final = 0.7
 """[BL] within which a fish feels others that it does not see."""
@@ -24,106 +22,16 @@ LATERAL_LINE: Final = 0.7
 HORIZON: Final = 1.2
 """[s] ahead in which a collision with another fish is foreseen."""
 
-NO_DANGER: Final = 1e9
-
-MOST_AROUND: Final = 2048
-"""Fishes around a cell that are looked at; of more every second, third, ... so that no crowd hangs the game."""
-
 _BLIND: Final = 0.75
 """Squared cosine of 30 degrees: half the cone behind a fish in which it sees nothing."""
 
 _ROOM: Final = 0.4
 """Room kept from a fish that crosses, over the sum of both lengths; enlarged as 6.2 asks."""
 
-_SHORT: Final = 24
 _SLOTS: Final = MOST_AROUND - 1
 
 _SUBMARINE_ROOM: Final = 2.5
 """[m] kept from the submarine's middle."""
-
-
-class Attention(NamedTuple):
-    """Scratch of the minds that a piece of the loop runs, one after another: (PIECES, ...) each."""
-
-    runs: Int64s
-    "begin and end of the runs of fishes around the cell, (PIECES, 24)"
-    around_x: Float64s
-    "[m] of the fishes around the cell, (PIECES, MOST_AROUND)"
-    around_y: Float64s
-    "[m], (PIECES, MOST_AROUND)"
-    around_z: Float64s
-    "[m], (PIECES, MOST_AROUND)"
-    around: Int32s
-    "their places in the crowd, (PIECES, MOST_AROUND)"
-    square: Float64s
-    "squared distances [m^2] to them, `NO_DANGER` where out of sight, (PIECES, MOST_AROUND)"
-    seen: Int32s
-    "which of them are seen, (PIECES, MOST_AROUND + 1)"
-    near: Int64s
-    "places in the crowd of the nearest of one's kind, (PIECES, NEIGHBOURS)"
-    distance: Float64s
-    "squared distances [m^2] to them, (PIECES, NEIGHBOURS)"
-    hunter_runs: Int32s
-    "begin and end of the runs of hunters around the cell, (PIECES, 32)"
-    hunters: Int64s
-    "places in the crowd of the nearest that eat it, (PIECES, NEIGHBOURS)"
-    hunter_distance: Float64s
-    "squared distances [m^2] to them, (PIECES, NEIGHBOURS)"
-    sought: Int64s
-    "places in the crowd of the nearest prey or mates, (PIECES, NEIGHBOURS)"
-    sought_distance: Float64s
-    "squared distances [m^2] to them, (PIECES, NEIGHBOURS)"
-    shoal: Float64s
-    "offset [m] and mean heading of one's kind farther off, (PIECES, 8)"
-    normal: Float64s
-    "unit way out of the nearest obstacle ahead, (PIECES, 8)"
-    away: Float64s
-    "offset [m] from the submarine, (PIECES, 8)"
-    danger: Float64s
-    "the most dangerous predator as `heed` tells of it, (PIECES, 8)"
-    roaming: Float64s
-    "cohort, place x and y [m] and height of where the last school seen travels, (PIECES, 8)"
-    shelter: Float64s
-    "offset [m] to a hiding-place, (PIECES, 8)"
-    out: Float64s
-    "wanted direction, (PIECES, 8)"
-
-
-def make_attention() -> Attention:
-    """Return scratch for all pieces; rows are padded so that threads share no cache line."""
-
-    def reals(width: int) -> Float64s:
-        return np.zeros((PIECES, width))
-
-    def places(width: int) -> Int32s:
-        return np.zeros((PIECES, width), np.int32)
-
-    def ids() -> Int64s:
-        return np.zeros((PIECES, NEIGHBOURS), np.int64)
-
-    return Attention(
-        runs=np.zeros((PIECES, 24), np.int64),
-        around_x=reals(MOST_AROUND),
-        around_y=reals(MOST_AROUND),
-        around_z=reals(MOST_AROUND),
-        around=places(MOST_AROUND),
-        square=reals(MOST_AROUND),
-        seen=places(MOST_AROUND + 1),
-        near=ids(),
-        distance=reals(NEIGHBOURS),
-        hunter_runs=places(32),
-        hunters=ids(),
-        hunter_distance=reals(NEIGHBOURS),
-        sought=ids(),
-        sought_distance=reals(NEIGHBOURS),
-        shoal=reals(8),
-        normal=reals(8),
-        away=reals(8),
-        danger=reals(8),
-        roaming=reals(8),
-        shelter=reals(8),
-        out=reals(8),
-    )
 
 
 @inlined
@@ -137,84 +45,6 @@ def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) ->
     """Return whether what lies at the offset (dx, dy, dz) is within the 300 degree cone around h."""
     along = dx * hx + dy * hy + dz * hz
     return bool(along >= 0.0 or along * along < _BLIND * (dx * dx + dy * dy + dz * dz))
-
-
-@inlined
-def first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
-    """Return the first place in begin..end whose layer is at least `value`."""
-    while begin < end:
-        middle = (begin + end) // 2
-        if layer[middle] < value:
-            begin = middle + 1
-        else:
-            end = middle
-    return begin
-
-
-@inlined
-def layers_between(layer: Int32s, begin: int, end: int, low: int, high: int) -> tuple[int, int]:
-    """Return the run within begin..end whose layers are at least `low` and less than `high`."""
-    if end - begin > _SHORT:
-        begin = first_not_above(layer, begin, end, low)
-        return begin, first_not_above(layer, begin, end, high)
-    # Counting a few mispredicts nothing.
-    first = last = begin
-    for k in range(begin, end):
-        first += layer[k] < low
-        last += layer[k] < high
-    return first, last
-
-
-@inlined
-def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -> int:
-    """Write begin and end of each run of fishes in the 27 cells around a cell; return how many."""
-    cx, cy = column // plan.columns, column % plan.columns
-    found = 0
-    for x in range(max(cx - 1, 0), min(cx + 2, plan.columns)):
-        for y in range(max(cy - 1, 0), min(cy + 2, plan.columns)):
-            begin = crowd.first[x * plan.columns + y]
-            end = crowd.first[x * plan.columns + y + 1]
-            if begin == end:
-                continue
-            begin, end = layers_between(crowd.layer, begin, end, layer - 1, layer + 2)
-            if end > begin:
-                runs[2 * found], runs[2 * found + 1] = begin, end
-                found += 1
-    return found
-
-
-@row
-def _sample(crowd: Crowd, number_of_runs: int, step: int, attention: Attention, piece: int) -> int:
-    """Put every `step`th of the fishes around a cell side by side; return how many."""
-    runs, around = attention.runs[piece], attention.around[piece]
-    x, y, z = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
-    number = 0
-    for run in range(number_of_runs):
-        for k in range(runs[2 * run], runs[2 * run + 1], step):
-            if number < MOST_AROUND:
-                x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
-                around[number] = k
-                number += 1
-    return number
-
-
-@inlined
-def gather(crowd: Crowd, number_of_runs: int, attention: Attention, piece: int) -> int:
-    """Put the places of the fishes around a cell side by side; return how many are looked at."""
-    runs, around = attention.runs[piece], attention.around[piece]
-    x, y, z = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
-    total = 0
-    for run in range(number_of_runs):
-        total += runs[2 * run + 1] - runs[2 * run]
-    if total > MOST_AROUND:
-        return _sample(crowd, number_of_runs, total // MOST_AROUND + 1, attention, piece)
-    number = 0
-    for run in range(number_of_runs):
-        for k in range(runs[2 * run], runs[2 * run + 1]):
-            x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
-            around[number] = k
-            number += 1
-    return number
 
 
 Nearest: TypeAlias = tuple[float, float, float, float, float, float, float, float]
@@ -245,9 +75,10 @@ def keep(nearest: Nearest, key: float) -> Nearest:
 
 
 @inlined
-def list_nearest(nearest: Nearest, found: int, attention: Attention, piece: int) -> int:
-    """List the nearest, at most `found`, by place and squared distance; return how many."""
-    near, distance = attention.near[piece], attention.distance[piece]
+def list_nearest(
+    nearest: Nearest, found: int, attention: Attention, piece: int, near: Int64s, distance: Float64s
+) -> int:
+    """List the nearest, at most `found`, by place and squared distance, (NEIGHBOURS,) each; return how many."""
     around, square = attention.around[piece], attention.square[piece]
     found = min(found, NEIGHBOURS)
     for k in range(found):
@@ -267,12 +98,6 @@ def insert(other: int, square: float, near: Int64s, distance: Float64s, found: i
         at -= 1
     near[at], distance[at] = other, square
     return min(found + 1, NEIGHBOURS)
-
-
-@inlined
-def reach_of(plan: Plan, sight: float, length: float) -> float:
-    """Return how far [m] a fish tells its neighbours apart: in a crowd only so many of its lengths."""
-    return min(sight, plan.cell, REACH * length) if plan.crowded else min(sight, plan.cell)
 
 
 @inlined
@@ -321,7 +146,15 @@ def collision(crowd: Crowd, me: int, other: int) -> float:
 
 
 @inlined
-def nearest_of_kind(crowd: Crowd, me: int, many: int, attention: Attention, piece: int) -> int:
+def nearest_of_kind(
+    crowd: Crowd,
+    me: int,
+    many: int,
+    attention: Attention,
+    piece: int,
+    near: Int64s,
+    distance: Float64s,
+) -> int:
     """List the nearest of one's species among the `many` seen, nearest first; return how many."""
     around, square, seen = attention.around[piece], attention.square[piece], attention.seen[piece]
     found, kind, nearest = 0, crowd.species[me], NOBODY
@@ -331,7 +164,7 @@ def nearest_of_kind(crowd: Crowd, me: int, many: int, attention: Attention, piec
         if k != me and crowd.species[k] == kind:
             nearest = keep(nearest, name(square[slot], slot))
             found += 1
-    return list_nearest(nearest, found, attention, piece)
+    return list_nearest(nearest, found, attention, piece, near, distance)
 
 
 @inlined
@@ -344,10 +177,12 @@ def watch(
     many: int,
     attention: Attention,
     piece: int,
+    near: Int64s,
+    distance: Float64s,
 ) -> tuple[int, int, float]:
     """Find the nearest of one's species among the `many` seen, and who is about to collide.
 
-    Write their places in the crowd and squared distances, nearest first; return how many they are,
+    Write their places in the crowd and squared distances, nearest first, (NEIGHBOURS,) each; return how many they are,
     the place of the first to collide, -1 for none, and the time to it [s]. A schooler keeps clear of
     its own kind by separation alone, nobody of its `target`'s place, and fears who `eats`, (S, S), its kind instead.
     """
@@ -369,7 +204,8 @@ def watch(
         when = collision(crowd, me, k)
         if when < soonest:
             threat, soonest = k, when
-    return list_nearest(nearest, found, attention, piece), threat, soonest
+    found = list_nearest(nearest, found, attention, piece, near, distance)
+    return found, threat, soonest
 
 
 @inlined

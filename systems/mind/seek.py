@@ -13,9 +13,11 @@ from components.ground import Terrain
 from components.kernels import inlined, merged, row
 from components.sightline import in_sight
 from components.trigonometry import arc
+from systems.mind.attention import NEIGHBOURS, Attention
 from systems.mind.beware import can_swallow
+from systems.mind.gather import layers_between
 from systems.mind.grid import Crowd
-from systems.mind.perceive import NEIGHBOURS, Attention, in_view, insert, layers_between
+from systems.mind.perceive import in_view, insert
 from systems.mind.scene import Scene
 from systems.mind.sparse import LONGEST_RUN, Sparse, find_sparse_runs
 
@@ -191,7 +193,7 @@ def seek_prey(
 def seek_mate(scene: Scene, me: int, attention: Attention, piece: int) -> tuple[int, float]:
     """Return the place of the nearest mate in sight, -1 for none, and its distance [m]."""
     crowd, sparse = scene.crowd, scene.willing
-    runs, x, y, z = attention.hunter_runs[piece], crowd.x[me], crowd.y[me], crowd.z[me]
+    runs, x, y, z = attention.coarse_runs[piece], crowd.x[me], crowd.y[me], crowd.z[me]
     sight = scene.senses.sight[crowd.species[me]]
     keen, reach = sight * sight / crowd.length[me], min(scene.habitat.visibility, sparse.cell)
     best, least = -1, reach * reach

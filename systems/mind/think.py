@@ -23,42 +23,44 @@ from components.kernels import Launch, loop, merged, row
 from components.mind import SUBMARINE, Role, Why
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
-from systems.mind.act import NONE, act, heed_worst, place_of
+from systems.mind.act import NONE, act, place_of
+from systems.mind.attention import (
+    BATCH,
+    NO_DANGER,
+    Attention,
+    Thoughts,
+    make_attention,
+    make_thoughts,
+)
 from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan
 from systems.mind.intend import (
-    AFRAID,
     AVOID_FISH,
-    AVOID_OBSTACLE,
     EAT,
     ESCAPE,
     MATE,
     OBEY,
     SCHOOL,
-    WATCHFUL,
     Held,
     Percept,
     intend,
 )
-from systems.mind.notice import Dangers, notice
-from systems.mind.perceive import (
-    NO_DANGER,
-    Attention,
-    find_runs,
-    gather,
-    looks_round,
-    make_attention,
+from systems.mind.notice import (
+    notice_company,
+    notice_hunters,
+    notice_obstacles,
+    notice_shoals,
+    notice_submarine,
 )
 from systems.mind.scene import Minds, Scene, minds_of
 from systems.mind.shoal import Shoals
-from systems.mind.sparse import Sparse, SparseGrid, find_sparse_runs
-from systems.mind.want import curiosity, habits, want
+from systems.mind.sparse import Sparse, SparseGrid
+from systems.mind.want import curiosity, habits, is_timid, want_mates, want_meals
 
 LATEST_TICKS: Final = 8
 """[ticks] after which a fish thinks, whoever's turn it is."""
 
 _PLAYER: Final = int(Why.PLAYER)
 _CURIOSITY: Final = int(Why.CURIOSITY)
-_PREY: Final = int(Role.PREY)
 _PREDATOR: Final = int(Role.PREDATOR)
 
 
@@ -81,112 +83,116 @@ def _take_up(
 
 
 @merged
-def _attend(
-    crowd: Crowd, intention: int, why: int, d: Dangers, meal: int, mate: int, nearest: int
-) -> int:
+def _attend(crowd: Crowd, intention: int, why: int, thoughts: Thoughts, k: int) -> int:
     """Return the focus that passes: what the intention is about."""
+    predator, scare = thoughts.predator[k], thoughts.scare[k]
+    when, meets = thoughts.when[k], thoughts.meets[k]
     if intention == EAT:
-        return meal
+        return int(thoughts.meal[k])
     if intention == MATE:
-        return int(crowd.id[mate])
-    if intention == SCHOOL and d.found > 0:
-        return int(crowd.id[nearest])
-    if intention == ESCAPE and d.predator >= 0 and d.danger > d.scare:
-        return int(crowd.id[d.predator])
-    if intention == AVOID_FISH and d.when < NO_DANGER and d.when <= d.meets:
-        return int(crowd.id[d.other])
+        return int(crowd.id[thoughts.mate[k]])
+    if intention == SCHOOL and thoughts.found[k] > 0:
+        return int(crowd.id[thoughts.near[k, 0]])
+    if intention == ESCAPE and predator >= 0 and thoughts.worst[k] > scare:
+        return int(crowd.id[predator])
+    if intention == AVOID_FISH and when < NO_DANGER and when <= meets:
+        return int(crowd.id[thoughts.other[k]])
     submarine = (
         why == _CURIOSITY
-        or (intention == ESCAPE and d.scare > 0.0)
-        or (intention == AVOID_FISH and d.meets < d.when)
+        or (intention == ESCAPE and scare > 0.0)
+        or (intention == AVOID_FISH and meets < when)
     )
     return SUBMARINE if submarine else -1
 
 
 @merged
-def think_one(
-    scene: Scene,
-    me: int,
-    minds: Minds,
-    attention: Attention,
-    piece: int,
-    around: int,
-    hunter_runs: int,
-) -> None:
-    """Perceive, feel, intend and behave for the fish at place `me` of the crowd."""
-    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    kind, role = crowd.species[me], senses.role[crowd.species[me]]
-    timid = role == _PREY or (role != _PREDATOR and senses.hunted[kind] != 0)
-    previous, away = minds.intention[i], attention.away[piece]
-    target = -1
-    if previous in (EAT, MATE):
-        target = place_of(scene.places, crowd.place, minds.focus[i])
-    d = notice(scene, me, target, around, hunter_runs, attention, piece)
-    threat = min(d.when, d.meets) < NO_DANGER
-    blocked = d.obstacle < (WATCHFUL if previous == AVOID_OBSTACLE else 1.0)
-    urgent = blocked or threat or (timid and d.fear > AFRAID)
-    meal, mate = want(scene, me, minds, target, urgent, d.found, attention, piece)
-    minds.fear[i], minds.danger[i], minds.thought_at[i] = d.fear, d.danger, scene.now
-    if previous == OBEY:
-        minds.why[i], minds.why_value[i] = _PLAYER, 0.0
-        return
-    much, rise = habits(scene, me)
+def _decide_one(scene: Scene, minds: Minds, thoughts: Thoughts, k: int) -> None:
+    """Choose one mind's intention, and what it is about."""
+    crowd, senses, me = scene.crowd, scene.senses, thoughts.me[k]
+    i, kind = crowd.row[me], crowd.species[me]
+    role, previous = senses.role[kind], thoughts.previous[k]
+    much, thoughts.rise[k] = habits(scene, me)
     curious = 0.0
     if scene.submarines > 0:
         curious = curiosity(
-            role, senses.curiosity[kind], senses.sight[kind], scene.habitat.visibility, away,
-            scene.seed, scene.now, crowd.id[me],
+            role, senses.curiosity[kind], senses.sight[kind], scene.habitat.visibility,
+            thoughts.away[k], scene.seed, scene.now, crowd.id[me],
         )  # fmt: skip
-    company = d.found + int(d.number > 0.0) if senses.schooling[kind] != 0 else 0
+    company = 0
+    if senses.schooling[kind] != 0:
+        company = thoughts.found[k] + int(thoughts.number[k] > 0.0)
+    collision = min(thoughts.when[k], thoughts.meets[k])
     percept = Percept(
-        d.obstacle, min(d.when, d.meets), threat, timid, d.fear, d.danger, company,
-        minds.hunger[i], minds.libido[i], meal != -1, mate >= 0, role == _PREDATOR,
-        minds.focus[i] >= 0, much, curious,
+        thoughts.obstacle[k], collision, collision < NO_DANGER, is_timid(role, senses.hunted[kind]),
+        minds.fear[i], minds.danger[i], company, minds.hunger[i], minds.libido[i],
+        thoughts.meal[k] != -1, thoughts.mate[k] >= 0, role == _PREDATOR, minds.focus[i] >= 0,
+        much, curious,
         minds.hunger[i] == minds.libido[i]
         and uniform(scene.seed, WHIM, scene.now, crowd.id[me]) < 0.5,
     )  # fmt: skip
     held = Held(previous, minds.why[i], minds.since[i], minds.memory[i])
     intention, why, value, memory = intend(scene.now, held, percept)
-    _take_up(scene, me, minds, intention, memory, threat)
+    _take_up(scene, me, minds, intention, memory, collision < NO_DANGER)
     minds.why[i], minds.why_value[i] = why, value
-    nearest = attention.near[piece, 0]
-    minds.focus[i] = _attend(crowd, intention, why, d, meal, mate, nearest)
-    velocity = scene.submarine_velocity
-    heed_worst(crowd, me, d.predator, d.scare, away, velocity, attention.danger[piece])
-    act(
-        scene, me, minds, attention, piece, previous, d.found, d.number, d.other,
-        min(d.when, d.meets), d.seen, d.predator, d.scare, d.obstacle, rise,
-    )  # fmt: skip
+    minds.focus[i] = _attend(crowd, intention, why, thoughts, k)
+
+
+@merged
+def decide(scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int) -> None:
+    """Choose what each means to do; who obeys the player keeps to that."""
+    for k in range(begin, end):
+        i = scene.crowd.row[thoughts.me[k]]
+        minds.fear[i], minds.thought_at[i] = thoughts.fear[k], scene.now
+        minds.danger[i] = max(thoughts.worst[k], thoughts.scare[k])
+        if thoughts.previous[k] == OBEY:
+            minds.why[i], minds.why_value[i] = _PLAYER, 0.0
+        else:
+            _decide_one(scene, minds, thoughts, k)
+
+
+@merged
+def list_turns(
+    scene: Scene, begin: int, end: int, minds: Minds, thoughts: Thoughts, row: int
+) -> tuple[int, int]:
+    """List whose turn it is among places begin..end of the crowd, at most `BATCH`, from `row` of the thoughts on.
+
+    Return the row after the last, and the place from which to go on.
+    """
+    crowd, side = scene.crowd, scene.plan.columns
+    here, turn, at, last, me = -1, 0, row, row + BATCH, begin
+    while me < end and at < last:
+        if crowd.column[me] != here:
+            here = crowd.column[me]
+            turn = here // side // 3 + 2 * (here % side // 3) - scene.now
+        i = crowd.row[me]
+        if turn & 3 == 0 or scene.now - minds.thought_at[i] >= LATEST_TICKS:
+            previous, target = minds.intention[i], -1
+            if previous in (EAT, MATE):
+                target = place_of(scene.places, crowd.place, minds.focus[i])
+            thoughts.me[at], thoughts.previous[at], thoughts.target[at] = me, previous, target
+            at += 1
+        me += 1
+    return at, me
 
 
 @row
 def think_some(
-    scene: Scene, begin: int, end: int, minds: Minds, attention: Attention, piece: int
-) -> None:
-    """Let those think whose turn it is, among places begin..end of the crowd."""
-    crowd, side = scene.crowd, scene.plan.columns
-    column = layer = here = -1
-    turn = around = hunter_runs = 0
-    attention.roaming[piece, 0] = -1.0
-    far = min(scene.habitat.visibility, scene.hunters.cell)
-    for me in range(begin, end):
-        if crowd.column[me] != here:
-            here = crowd.column[me]
-            turn = here // side // 3 + 2 * (here % side // 3) - scene.now
-        waited = scene.now - minds.thought_at[crowd.row[me]]
-        if turn & 3 != 0 and waited < LATEST_TICKS:
-            continue
-        if crowd.column[me] != column or crowd.layer[me] != layer:
-            column, layer = crowd.column[me], crowd.layer[me]
-            runs = find_runs(scene.plan, crowd, column, layer, attention.runs[piece])
-            around = gather(crowd, runs, attention, piece)
-        hunter_runs = 0
-        if minds.fear[crowd.row[me]] > 0.0 or looks_round(scene.now, crowd.id[me]):
-            hunter_runs = find_sparse_runs(
-                scene.hunters, crowd.x[me], crowd.y[me], crowd.z[me], far,
-                attention.hunter_runs[piece],
-            )  # fmt: skip
-        think_one(scene, me, minds, attention, piece, around, hunter_runs)
+    scene: Scene, begin: int, end: int, minds: Minds, thoughts: Thoughts, attention: Attention,
+    piece: int,
+) -> None:  # fmt: skip
+    """Let those think whose turn it is, among places begin..end of the crowd: perceive, feel, intend and behave."""
+    row, at = piece * BATCH, begin
+    while at < end:
+        last, at = list_turns(scene, at, end, minds, thoughts, row)
+        notice_company(scene, thoughts, row, last, attention, piece)
+        notice_shoals(scene, thoughts, row, last)
+        notice_hunters(scene, minds, thoughts, row, last, attention, piece)
+        notice_obstacles(scene, thoughts, row, last)
+        notice_submarine(scene, thoughts, row, last)
+        want_meals(scene, minds, thoughts, row, last, attention, piece)
+        want_mates(scene, minds, thoughts, row, last, attention, piece)
+        decide(scene, minds, thoughts, row, last)
+        act(scene, minds, thoughts, row, last, attention, piece)
 
 
 @loop
@@ -211,6 +217,7 @@ def think_all(
     there: Int8s,
     number: int,
     minds: Minds,
+    thoughts: Thoughts,
     attention: Attention,
 ) -> None:
     """Let those think whose turn it is, on all threads.
@@ -224,7 +231,7 @@ def think_all(
             now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places, submarine,
             submarine_velocity, submarines, food_position, food_last, there,
         )  # fmt: skip
-        think_some(scene, begin, end, minds, attention, piece)
+        think_some(scene, begin, end, minds, thoughts, attention, numba.get_thread_id())
 
 
 @row
@@ -280,7 +287,7 @@ class Think:
         self.grid = Grid(terrain, senses)
         self._hunters, self._meals = SparseGrid(terrain), SparseGrid(terrain)
         self._willing = SparseGrid(terrain)
-        self._attention = make_attention()
+        self._attention, self._thoughts = make_attention(), make_thoughts()
         self._few, self._mates = np.zeros(1, np.int32), np.zeros(1, np.int32)
         self._there = np.zeros(1, np.int8)
         self._shoals = Shoals()
@@ -298,9 +305,9 @@ class Think:
         self._shoals.sum(self.grid.plan, self.senses.schooling, self.grid.crowd, number)
         scene, minds = self._scene(number), minds_of(self.population)
         if number < SERIAL_BELOW:
-            self._think_some(scene, 0, number, minds, self._attention, 0)
+            self._think_some(scene, 0, number, minds, self._thoughts, self._attention, 0)
         else:
-            self._think_all(*scene, number, minds, self._attention)
+            self._think_all(*scene, number, minds, self._thoughts, self._attention)
 
     def _scene(self, number: int) -> Scene:
         """Return the world as minds find it this tick."""

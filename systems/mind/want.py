@@ -3,12 +3,13 @@
 from math import sqrt
 from typing import Final
 
-from components.arrays import Float64s
+from components.arrays import Float64s, Int64s
 from components.food import in_stomach
 from components.habitat import Habitat
 from components.kernels import merged, row
 from components.mind import FOOD, Role
 from systems.mind.act import liked_depth
+from systems.mind.attention import NO_DANGER, Attention, Thoughts
 from systems.mind.behave.wander import is_curious, nearest_home
 from systems.mind.feel import (
     APPETISING,
@@ -24,8 +25,16 @@ from systems.mind.feel import (
     stimulus,
     unease,
 )
-from systems.mind.intend import EAT, MATE, RELENT, WANTING
-from systems.mind.perceive import NO_DANGER, Attention, looks_round
+from systems.mind.intend import (
+    AFRAID,
+    AVOID_OBSTACLE,
+    EAT,
+    MATE,
+    RELENT,
+    WANTING,
+    WATCHFUL,
+)
+from systems.mind.perceive import looks_round
 from systems.mind.scene import Minds, Scene
 from systems.mind.seek import LOYALTY, SMELL, seek_mate, seek_prey, smell_food, suits
 
@@ -58,7 +67,7 @@ def _seek_food(
         if plain <= WANTING * RELENT:
             # What does not tempt would not be eaten.
             reach = min(reach, crowd.length[me] / FOOD_FAR)
-        food, far = smell_food(scene.food, x, y, z, reach, attention.hunter_runs[piece])
+        food, far = smell_food(scene.food, x, y, z, reach, attention.coarse_runs[piece])
         kept = FOOD - minds.focus[i]
         if food >= 0 and 0 <= kept < len(scene.there) and scene.there[kept] and kept != food:
             place = scene.food_position
@@ -72,8 +81,9 @@ def _seek_food(
 
 @merged
 def _seek_mate(
-    scene: Scene, me: int, minds: Minds, target: int, found: int, attention: Attention, piece: int
-) -> tuple[int, float]:
+    scene: Scene, me: int, minds: Minds, target: int, found: int, near: Int64s, distance: Float64s,
+    attention: Attention, piece: int,
+) -> tuple[int, float]:  # fmt: skip
     """Return the place of the partner, -1 for none, and its distance [m]: the old one first, then who is near."""
     crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
     if minds.intention[i] == MATE and target >= 0 and suits(crowd, scene.seed, me, target):
@@ -85,9 +95,8 @@ def _seek_mate(
         if far < _LOSES_SIGHT * senses.sight[crowd.species[me]]:
             return target, far
     for k in range(found):
-        other = attention.near[piece, k]
-        if suits(crowd, scene.seed, me, other):
-            return other, sqrt(attention.distance[piece, k])
+        if suits(crowd, scene.seed, me, near[k]):
+            return near[k], sqrt(distance[k])
     if senses.schooling[crowd.species[me]] != 0:
         return -1, NO_DANGER
     if (scene.now // 4 + crowd.id[me]) % SEARCH_EVERY != 0:
@@ -137,34 +146,67 @@ def habits(scene: Scene, me: int) -> tuple[float, float]:
     )
 
 
-@merged
-def want(
-    scene: Scene, me: int, minds: Minds, target: int, urgent: bool, found: int,
-    attention: Attention, piece: int,
-) -> tuple[int, int]:  # fmt: skip
-    """Feel hunger and libido; return the focus of a meal and the place of a mate, -1 for none.
+@row
+def is_timid(role: int, hunted: int) -> bool:
+    """Return whether a species flees: prey does, and pacifists that are eaten."""
+    return role == _PREY or (role != _PREDATOR and hunted != 0)
 
-    Who is in danger looks for neither, who neither eats nor remembers to for a meal in every second thought.
+
+@merged
+def want_meals(
+    scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
+    piece: int,
+) -> None:  # fmt: skip
+    """Feel hunger, and find a meal for it.
+
+    Who is in danger looks for none, who neither eats nor remembers to in every second thought.
     """
-    crowd, senses, i = scene.crowd, scene.senses, scene.crowd.row[me]
-    kind, length = crowd.species[me], crowd.length[me]
-    stomach = in_stomach(minds.eaten[i], minds.ate_at[i], scene.now, senses.digestion[kind])
-    plain = appetite(stomach, senses.appetite[kind])
-    meal, meal_far, mate, mate_far, wish = -1, NO_DANGER, -1, NO_DANGER, 0.0
-    looks = (
-        urgent
-        or minds.intention[i] == EAT
-        or minds.memory[i] == EAT
-        or looks_round(scene.now, crowd.id[me])
-    )
-    if looks and not urgent:
-        meal, meal_far = _seek_food(scene, me, minds, plain, target, attention, piece)
-    if senses.role[kind] != _PREDATOR:
-        waited = float(scene.now - minds.mated_at[i])
-        wish = desire(waited, senses.breeding[kind], hunger_of(plain, 0.0))
-    if not urgent and libido_of(wish, 1.0) > WANTING * RELENT:
-        mate, mate_far = _seek_mate(scene, me, minds, target, found, attention, piece)
-    hunger = hunger_of(plain, stimulus(length / (meal_far + 1e-9), FOOD_FAR, FOOD_NEAR))
-    minds.hunger[i] = hunger if looks else max(minds.hunger[i], hunger)
-    minds.libido[i] = libido_of(wish, stimulus(length / (mate_far + 1e-9), MATE_FAR, MATE_NEAR))
-    return meal, mate
+    crowd, senses = scene.crowd, scene.senses
+    for k in range(begin, end):
+        me = thoughts.me[k]
+        i, kind = crowd.row[me], crowd.species[me]
+        blocked = thoughts.obstacle[k] < (
+            WATCHFUL if thoughts.previous[k] == AVOID_OBSTACLE else 1.0
+        )
+        threat = min(thoughts.when[k], thoughts.meets[k]) < NO_DANGER
+        afraid = thoughts.fear[k] > AFRAID and is_timid(senses.role[kind], senses.hunted[kind])
+        urgent = blocked or threat or afraid
+        stomach = in_stomach(minds.eaten[i], minds.ate_at[i], scene.now, senses.digestion[kind])
+        plain = appetite(stomach, senses.appetite[kind])
+        looks = (
+            urgent
+            or minds.intention[i] == EAT
+            or minds.memory[i] == EAT
+            or looks_round(scene.now, crowd.id[me])
+        )
+        meal, far = -1, NO_DANGER
+        if looks and not urgent:
+            target = thoughts.target[k]
+            meal, far = _seek_food(scene, me, minds, plain, target, attention, piece)
+        hunger = hunger_of(plain, stimulus(crowd.length[me] / (far + 1e-9), FOOD_FAR, FOOD_NEAR))
+        minds.hunger[i] = hunger if looks else max(minds.hunger[i], hunger)
+        thoughts.urgent[k], thoughts.plain[k], thoughts.meal[k] = urgent, plain, meal
+
+
+@merged
+def want_mates(
+    scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
+    piece: int,
+) -> None:  # fmt: skip
+    """Feel libido, and find a mate for it; who is in danger looks for none."""
+    crowd, senses = scene.crowd, scene.senses
+    for k in range(begin, end):
+        me = thoughts.me[k]
+        i, kind = crowd.row[me], crowd.species[me]
+        mate, far, wish = -1, NO_DANGER, 0.0
+        if senses.role[kind] != _PREDATOR:
+            waited = float(scene.now - minds.mated_at[i])
+            wish = desire(waited, senses.breeding[kind], hunger_of(thoughts.plain[k], 0.0))
+        if thoughts.urgent[k] == 0 and libido_of(wish, 1.0) > WANTING * RELENT:
+            mate, far = _seek_mate(
+                scene, me, minds, thoughts.target[k], thoughts.found[k], thoughts.near[k],
+                thoughts.distance[k], attention, piece,
+            )  # fmt: skip
+        allured = stimulus(crowd.length[me] / (far + 1e-9), MATE_FAR, MATE_NEAR)
+        minds.libido[i] = libido_of(wish, allured)
+        thoughts.mate[k] = mate

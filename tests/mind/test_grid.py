@@ -5,15 +5,9 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from systems.mind.perceive import (
-    LATERAL_LINE,
-    NEIGHBOURS,
-    find_runs,
-    gather,
-    make_attention,
-    see_around,
-    watch,
-)
+from systems.mind.attention import NEIGHBOURS, make_attention
+from systems.mind.gather import find_runs, gather
+from systems.mind.perceive import LATERAL_LINE, see_around, watch
 from systems.mind.shoal import Shoals
 
 
@@ -47,8 +41,11 @@ def test_neighbours_are_those_of_brute_force(
         runs = find_runs(plan, crowd, crowd.column[place], crowd.layer[place], attention.runs[0])
         around = gather(crowd, runs, attention, 0)
         many = see_around(crowd, place, plan.cell, around, attention, 0)
-        found, _, _ = watch(crowd, place, True, -1, scene.senses.eats, many, attention, 0)
-        rows = [int(crowd.row[k]) for k in attention.near[0, :found]]
+        near, square = attention.sought[0], attention.sought_distance[0]
+        found, _, _ = watch(
+            crowd, place, True, -1, scene.senses.eats, many, attention, 0, near, square
+        )
+        rows = [int(crowd.row[k]) for k in near[:found]]
         assert rows == nearest_by_brute_force(scene, int(crowd.row[place]), plan.cell)
         several += found > 1
     assert several > 0

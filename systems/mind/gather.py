@@ -1,0 +1,94 @@
+"""Gathering: the fishes around a cell, side by side, for all who stand in the cell (FINDINGS 5)."""
+
+from typing import Final
+
+from components.arrays import Int32s, Int64s
+from components.kernels import inlined, row
+from systems.mind.attention import MOST_AROUND, Attention
+from systems.mind.grid import REACH, Crowd, Plan
+
+_SHORT: Final = 24
+
+
+@inlined
+def reach_of(plan: Plan, sight: float, length: float) -> float:
+    """Return how far [m] a fish tells its neighbours apart: in a crowd only so many of its lengths."""
+    return min(sight, plan.cell, REACH * length) if plan.crowded else min(sight, plan.cell)
+
+
+@inlined
+def first_not_above(layer: Int32s, begin: int, end: int, value: int) -> int:
+    """Return the first place in begin..end whose layer is at least `value`."""
+    while begin < end:
+        middle = (begin + end) // 2
+        if layer[middle] < value:
+            begin = middle + 1
+        else:
+            end = middle
+    return begin
+
+
+@inlined
+def layers_between(layer: Int32s, begin: int, end: int, low: int, high: int) -> tuple[int, int]:
+    """Return the run within begin..end whose layers are at least `low` and less than `high`."""
+    if end - begin > _SHORT:
+        begin = first_not_above(layer, begin, end, low)
+        return begin, first_not_above(layer, begin, end, high)
+    # Counting a few mispredicts nothing.
+    first = last = begin
+    for k in range(begin, end):
+        first += layer[k] < low
+        last += layer[k] < high
+    return first, last
+
+
+@inlined
+def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -> int:
+    """Write begin and end of each run of fishes in the 27 cells around a cell; return how many."""
+    cx, cy = column // plan.columns, column % plan.columns
+    found = 0
+    for x in range(max(cx - 1, 0), min(cx + 2, plan.columns)):
+        for y in range(max(cy - 1, 0), min(cy + 2, plan.columns)):
+            begin = crowd.first[x * plan.columns + y]
+            end = crowd.first[x * plan.columns + y + 1]
+            if begin == end:
+                continue
+            begin, end = layers_between(crowd.layer, begin, end, layer - 1, layer + 2)
+            if end > begin:
+                runs[2 * found], runs[2 * found + 1] = begin, end
+                found += 1
+    return found
+
+
+@row
+def _sample(crowd: Crowd, number_of_runs: int, step: int, attention: Attention, piece: int) -> int:
+    """Put every `step`th of the fishes around a cell side by side; return how many."""
+    runs, around = attention.runs[piece], attention.around[piece]
+    x, y, z = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
+    number = 0
+    for run in range(number_of_runs):
+        for k in range(runs[2 * run], runs[2 * run + 1], step):
+            if number < MOST_AROUND:
+                x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
+                around[number] = k
+                number += 1
+    return number
+
+
+@inlined
+def gather(crowd: Crowd, number_of_runs: int, attention: Attention, piece: int) -> int:
+    """Put the places of the fishes around a cell side by side; return how many are looked at."""
+    runs, around = attention.runs[piece], attention.around[piece]
+    x, y, z = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
+    total = 0
+    for run in range(number_of_runs):
+        total += runs[2 * run + 1] - runs[2 * run]
+    if total > MOST_AROUND:
+        return _sample(crowd, number_of_runs, total // MOST_AROUND + 1, attention, piece)
+    number = 0
+    for run in range(number_of_runs):
+        for k in range(runs[2 * run], runs[2 * run + 1]):
+            x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
+            around[number] = k
+            number += 1
+    return number
