@@ -6,10 +6,11 @@ the whole batch, where one mind's whole thought would not fit (FINDINGS 5).
 
 from typing import Final, NamedTuple
 
-import numba
 import numpy as np
 
 from components.arrays import Float64s, Int8s, Int32s, Int64s
+from systems.mind.grid import PIECES
+from systems.mind.sparse import MOST_LISTED
 
 NEIGHBOURS: Final = 8
 """The nearest of a kind that a fish attends to (FINDINGS 5)."""
@@ -25,38 +26,44 @@ NO_DANGER: Final = 1e9
 
 
 class Attention(NamedTuple):
-    """What a thread holds of the one mind that it is with; (threads, ...) each."""
+    """What a piece of the loop holds of the one mind that it is with; (PIECES, ...) each."""
 
     runs: Int64s
-    "begin and end of the runs of fishes around the cell, (threads, 24)"
+    "begin and end of the runs of fishes around the cell, (PIECES, 24)"
     around_x: Float64s
-    "[m] of the fishes around the cell, (threads, MOST_AROUND)"
+    "[m] of the fishes around the cell, (PIECES, MOST_AROUND)"
     around_y: Float64s
-    "[m], (threads, MOST_AROUND)"
+    "[m], (PIECES, MOST_AROUND)"
     around_z: Float64s
-    "[m], (threads, MOST_AROUND)"
+    "[m], (PIECES, MOST_AROUND)"
     around: Int32s
-    "their places in the crowd, (threads, MOST_AROUND)"
+    "their places in the crowd, (PIECES, MOST_AROUND)"
+    kinds: Int32s
+    "their species, (PIECES, MOST_AROUND)"
     square: Float64s
-    "squared distances [m^2] to them, `NO_DANGER` where out of sight, (threads, MOST_AROUND)"
-    seen: Int32s
-    "which of them are seen, (threads, MOST_AROUND + 1)"
+    "squared distances [m^2] to them, `NO_DANGER` where out of sight, (PIECES, MOST_AROUND + 1)"
+    company: Int32s
+    "which of them are of its kind and seen, (PIECES, MOST_AROUND + 1)"
+    others: Int32s
+    "which of them are seen and may cross its way, (PIECES, MOST_AROUND + 1)"
     coarse_runs: Int32s
-    "begin and end of the runs of hunters, food or mates around a point, (threads, 32)"
+    "begin and end of the runs of hunters, food or mates around a point, (PIECES, 32)"
+    hunters_around: Int32s
+    "hunters around several minds, by their row in the hunters' grid, (PIECES, MOST_LISTED)"
     sought: Int64s
-    "places in the crowd of the nearest that it seeks, (threads, NEIGHBOURS)"
+    "places in the crowd of the nearest that it seeks, (PIECES, NEIGHBOURS)"
     sought_distance: Float64s
-    "squared distances [m^2] to them, (threads, NEIGHBOURS)"
+    "squared distances [m^2] to them, (PIECES, NEIGHBOURS)"
     roaming: Float64s
-    "cohort, place x and y [m] and height of where the last school seen travels, (threads, 8)"
+    "cohort, place x and y [m] and height of where the last school seen travels, (PIECES, 8)"
     shelter: Float64s
-    "offset [m] to a hiding-place, (threads, 8)"
+    "offset [m] to a hiding-place, (PIECES, 8)"
     out: Float64s
-    "wanted direction, (threads, 8)"
+    "wanted direction, (PIECES, 8)"
 
 
 class Thoughts(NamedTuple):
-    """What each mind of a thread's batch has come to by now, one row each; (threads x BATCH, ...)."""
+    """What each mind of a piece's batch has come to by now, one row each; (PIECES x BATCH, ...)."""
 
     me: Int32s
     "place in the crowd"
@@ -114,30 +121,28 @@ class Thoughts(NamedTuple):
     "where light and warmth lie: 1 up, -1 down"
 
 
-def _threads() -> int:
-    return int(numba.config.NUMBA_NUM_THREADS)
-
-
 def make_attention() -> Attention:
-    """Return scratch for every thread; rows are padded so that threads share no cache line."""
-    threads = _threads()
+    """Return scratch for every piece; rows are padded so that threads share no cache line."""
 
     def reals(width: int) -> Float64s:
-        return np.zeros((threads, width))
+        return np.zeros((PIECES, width))
 
     def places(width: int) -> Int32s:
-        return np.zeros((threads, width), np.int32)
+        return np.zeros((PIECES, width), np.int32)
 
     return Attention(
-        runs=np.zeros((threads, 24), np.int64),
+        runs=np.zeros((PIECES, 24), np.int64),
         around_x=reals(MOST_AROUND),
         around_y=reals(MOST_AROUND),
         around_z=reals(MOST_AROUND),
         around=places(MOST_AROUND),
-        square=reals(MOST_AROUND),
-        seen=places(MOST_AROUND + 1),
+        kinds=places(MOST_AROUND),
+        square=reals(MOST_AROUND + 1),
+        company=places(MOST_AROUND + 1),
+        others=places(MOST_AROUND + 1),
         coarse_runs=places(32),
-        sought=np.zeros((threads, NEIGHBOURS), np.int64),
+        hunters_around=places(MOST_LISTED),
+        sought=np.zeros((PIECES, NEIGHBOURS), np.int64),
         sought_distance=reals(NEIGHBOURS),
         roaming=reals(8),
         shelter=reals(8),
@@ -146,8 +151,8 @@ def make_attention() -> Attention:
 
 
 def make_thoughts() -> Thoughts:
-    """Return room for a batch of every thread."""
-    rows = _threads() * BATCH
+    """Return room for a batch of every piece."""
+    rows = PIECES * BATCH
     wide = {"near", "distance", "shoal", "hunters", "hunter_distance", "danger", "normal", "away"}
     types = {Int8s: np.int8, Int32s: np.int32, Int64s: np.int64, Float64s: np.float64}
     return Thoughts(

@@ -14,9 +14,9 @@ from components.senses import SenseTable
 from components.vector import point
 from systems.mind.attention import Attention, make_attention
 from systems.mind.behave.school import keep_company
-from systems.mind.gather import find_runs, gather, reach_of
-from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan
-from systems.mind.perceive import nearest_of_kind, see_around
+from systems.mind.gather import gather, reach_of
+from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan, scattered
+from systems.mind.perceive import nearest_of_kind, see_around, sort_seen
 
 
 @row
@@ -37,13 +37,13 @@ def flock_some(
             continue
         if crowd.column[me] != column or crowd.layer[me] != layer:
             column, layer = crowd.column[me], crowd.layer[me]
-            runs = find_runs(plan, crowd, column, layer, attention.runs[piece])
-            around = gather(crowd, runs, attention, piece)
+            around = gather(plan, crowd, column, layer, attention, piece)
         length = crowd.length[me]
         reach = reach_of(plan, senses.sight[kind], length)
-        many = see_around(crowd, me, reach, around, attention, piece)
         near, distance = attention.sought[piece], attention.sought_distance[piece]
-        found = nearest_of_kind(crowd, me, many, attention, piece, near, distance)
+        see_around(crowd, me, reach, around, attention, piece)
+        many, _ = sort_seen(crowd, me, True, around, attention, piece)
+        found = nearest_of_kind(many, attention, piece, near, distance)
         x, y, z, _, _ = keep_company(
             crowd, me, near, distance, found, senses.spacing[kind] * length
         )
@@ -53,16 +53,16 @@ def flock_some(
 
 @loop
 def flock_all(
-    turn: int, every: int, number: int, plan: Plan, crowd: Crowd, senses: SenseTable,
+    pieces: int, turn: int, every: int, number: int, plan: Plan, crowd: Crowd, senses: SenseTable,
     heading: Float64s, gear: Int8s, attention: Attention,
 ) -> None:  # fmt: skip
     """Let those school whose turn it is, on all threads."""
-    for at in numba.prange(PIECES):
-        piece = (at * 27) % PIECES
-        begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
+    for at in numba.prange(pieces):
+        piece = scattered(at, pieces)
+        begin, end = number * piece // pieces, number * (piece + 1) // pieces
         flock_some(
             turn, every, begin, end, plan, crowd, senses, heading, gear, attention,
-            numba.get_thread_id(),
+            piece,
         )  # fmt: skip
 
 
@@ -93,4 +93,4 @@ class BareSchooling:
         if number < SERIAL_BELOW:
             self._flock_some(now, self.every, 0, number, *scene, self._attention, 0)
         else:
-            self._flock_all(now, self.every, number, *scene, self._attention)
+            self._flock_all(PIECES, now, self.every, number, *scene, self._attention)

@@ -9,15 +9,22 @@ Who eats it is seen from afar, the farther the larger; behind rocks and ground n
 from math import sqrt
 from typing import Final
 
-from components.arrays import Float64s, Int32s, Int64s
+from components.arrays import Float64s, Int64s
 from components.kernels import inlined, merged
 from components.senses import SWALLOWED
 from components.sightline import in_sight
 from systems.mind.attention import MOST_AROUND, NO_DANGER, Attention
 from systems.mind.feel import fear_of
-from systems.mind.perceive import LATERAL_LINE, collision, in_view, insert
+from systems.mind.perceive import (
+    BLIND,
+    LATERAL_LINE,
+    NOBODY,
+    collision,
+    keep,
+    list_nearest,
+    name,
+)
 from systems.mind.scene import Scene
-from systems.mind.sparse import LONGEST_RUN, Sparse
 
 WAKE: Final = 2.0
 """Lengths of a hunter within which it is felt, as the water moves that it pushes on, out of sight or not."""
@@ -35,60 +42,50 @@ def can_swallow(length: float, victim: float) -> bool:
     return victim <= SWALLOWED * length
 
 
-@inlined
-def _within(
-    sparse: Sparse, x: float, y: float, z: float, limit: float, runs: Int32s, runs_found: int,
-    listed: Int32s,
-) -> int:  # fmt: skip
-    """List whose squared distance [m^2] from (x, y, z) is at most `limit`, of some runs; return how many."""
-    many = 0
-    for run in range(runs_found):
-        begin, end = runs[2 * run], runs[2 * run + 1]
-        step = 1 if end - begin < LONGEST_RUN else (end - begin) // LONGEST_RUN + 1
-        for k in range(begin, end, step):
-            dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
-            listed[many] = k
-            many += (dx * dx + dy * dy + dz * dz <= limit) & (many < MOST_AROUND)
-    return many
-
-
 @merged
 def watch_hunters(
-    scene: Scene, me: int, target: int, runs_found: int, attention: Attention, piece: int,
+    scene: Scene, me: int, target: int, around: int, attention: Attention, piece: int,
     hunters: Int64s, distance: Float64s,
 ) -> tuple[int, int, float]:  # fmt: skip
     """Find the nearest that eat this fish, in view or felt, and the first hunter to collide with it.
 
-    Write places and squared distances, nearest first, (NEIGHBOURS,) each; return how many they are, the place of who
-    collides, -1 for none, and the time to it [s]. Who eats it, or is its `target`'s place, is no obstacle.
+    They are among the `around` listed. Write places and squared distances, nearest first, (NEIGHBOURS,) each; return
+    how many they are, the place of who collides, -1 for none, and the time to it [s]. Who eats it, or is its
+    `target`'s place, is no obstacle.
     """
     crowd, sparse, senses = scene.crowd, scene.hunters, scene.senses
-    runs = attention.coarse_runs[piece]
+    listed, eaters = attention.hunters_around[piece], attention.company[piece]
+    big, square = attention.others[piece], attention.square[piece]
     kind, length = crowd.species[me], crowd.length[me]
     x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
+    hx, hy, hz = crowd.hx[me], crowd.hy[me], crowd.hz[me]
     farthest = min(scene.habitat.visibility, sparse.cell)
     limit = farthest * farthest
     keen = senses.sight[kind] * senses.sight[kind] / length
-    found, threat, soonest = 0, -1, NO_DANGER
-    many = _within(sparse, x, y, z, limit, runs, runs_found, attention.seen[piece])
-    for at in range(many):
-        k = attention.seen[piece, at]
+    many = large = 0
+    for at in range(around):
+        k = listed[at]
         other = sparse.what[k]
         dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
-        square, size = dx * dx + dy * dy + dz * dz, crowd.length[other]
-        if square > keen * size or other == me:
-            continue
-        seen = in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me])
+        s, size = dx * dx + dy * dy + dz * dz, crowd.length[other]
         felt = LATERAL_LINE * length + WAKE * size
-        if not (seen or square < felt * felt):
-            continue
-        if senses.eats[crowd.species[other], kind] != 0:
-            if can_swallow(size, length):
-                found = insert(other, square, hunters, distance, found)
-        elif other != target and square < LOOMS * size * LOOMS * size:
-            when = collision(crowd, me, other)
-            if when < soonest:
-                threat, soonest = other, when
+        along = dx * hx + dy * hy + dz * hz
+        seen = (along >= 0.0) | (along * along < BLIND * s) | (s < felt * felt)
+        seen &= (s <= min(limit, keen * size)) & (other != me) & (many < MOST_AROUND)
+        eats = senses.eats[crowd.species[other], kind] != 0
+        looms = (other != target) & (s < LOOMS * size * LOOMS * size) & (large < MOST_AROUND)
+        eaters[many], square[many], big[large] = other, s, other
+        many += seen & eats & can_swallow(size, length)
+        large += seen & (not eats) & looms
+    nearest = NOBODY
+    for at in range(many):
+        nearest = keep(nearest, name(square[at], at))
+    found = list_nearest(nearest, many, eaters, square, hunters, distance)
+    threat, soonest = -1, NO_DANGER
+    for at in range(large):
+        when = collision(crowd, me, big[at])
+        if when < soonest:
+            threat, soonest = big[at], when
     return found, threat, soonest
 
 

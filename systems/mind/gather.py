@@ -8,6 +8,7 @@ from systems.mind.attention import MOST_AROUND, Attention
 from systems.mind.grid import REACH, Crowd, Plan
 
 _SHORT: Final = 24
+_FEW: Final = 160
 
 
 @inlined
@@ -60,35 +61,53 @@ def find_runs(plan: Plan, crowd: Crowd, column: int, layer: int, runs: Int64s) -
     return found
 
 
+@inlined
+def _put(crowd: Crowd, k: int, number: int, attention: Attention, piece: int) -> None:
+    """Put the fish at the place k of the crowd at `number` of those around."""
+    attention.around_x[piece, number] = crowd.x[k]
+    attention.around_y[piece, number] = crowd.y[k]
+    attention.around_z[piece, number] = crowd.z[k]
+    attention.around[piece, number] = k
+    attention.kinds[piece, number] = crowd.species[k]
+
+
 @row
-def _sample(crowd: Crowd, number_of_runs: int, step: int, attention: Attention, piece: int) -> int:
-    """Put every `step`th of the fishes around a cell side by side; return how many."""
-    runs, around = attention.runs[piece], attention.around[piece]
-    x, y, z = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
-    number = 0
+def _gather_many(
+    plan: Plan, crowd: Crowd, column: int, layer: int, attention: Attention, piece: int
+) -> int:
+    """Gather where many stand above each other; of more than `MOST_AROUND` every second, third, ... ."""
+    runs = attention.runs[piece]
+    number_of_runs = find_runs(plan, crowd, column, layer, runs)
+    total = number = 0
+    for run in range(number_of_runs):
+        total += runs[2 * run + 1] - runs[2 * run]
+    step = 1 if total <= MOST_AROUND else total // MOST_AROUND + 1
     for run in range(number_of_runs):
         for k in range(runs[2 * run], runs[2 * run + 1], step):
             if number < MOST_AROUND:
-                x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
-                around[number] = k
+                _put(crowd, k, number, attention, piece)
                 number += 1
     return number
 
 
 @inlined
-def gather(crowd: Crowd, number_of_runs: int, attention: Attention, piece: int) -> int:
-    """Put the places of the fishes around a cell side by side; return how many are looked at."""
-    runs, around = attention.runs[piece], attention.around[piece]
-    x, y, z = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
-    total = 0
-    for run in range(number_of_runs):
-        total += runs[2 * run + 1] - runs[2 * run]
-    if total > MOST_AROUND:
-        return _sample(crowd, number_of_runs, total // MOST_AROUND + 1, attention, piece)
-    number = 0
-    for run in range(number_of_runs):
-        for k in range(runs[2 * run], runs[2 * run + 1]):
-            x[number], y[number], z[number] = crowd.x[k], crowd.y[k], crowd.z[k]
-            around[number] = k
-            number += 1
+def gather(
+    plan: Plan, crowd: Crowd, column: int, layer: int, attention: Attention, piece: int
+) -> int:
+    """Put the fishes of the 27 cells around a cell side by side; return how many are looked at.
+
+    Columns beside each other lie side by side in the crowd: three strips, of which each fish is tried without a branch.
+    """
+    side, cx, cy = plan.columns, column // plan.columns, column % plan.columns
+    west, east = max(cx - 1, 0), min(cx + 2, side)
+    south, north = max(cy - 1, 0), min(cy + 2, side)
+    total = number = 0
+    for x in range(west, east):
+        total += crowd.first[x * side + north] - crowd.first[x * side + south]
+    if total > _FEW:
+        return _gather_many(plan, crowd, column, layer, attention, piece)
+    for x in range(west, east):
+        for k in range(crowd.first[x * side + south], crowd.first[x * side + north]):
+            _put(crowd, k, number, attention, piece)
+            number += (crowd.layer[k] >= layer - 1) & (crowd.layer[k] <= layer + 1)
     return number

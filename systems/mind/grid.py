@@ -22,8 +22,10 @@ from components.senses import SenseTable
 REACH: Final = 2.5
 """Body lengths within which fishes tell their neighbours apart in a crowd: a dozen in a school."""
 
-PIECES: Final = 64
-"""Pieces of a parallel loop over fishes."""
+_PER_THREAD: Final = 8
+
+PIECES: Final = _PER_THREAD * numba.config.NUMBA_NUM_THREADS
+"""Pieces of a parallel loop over fishes: more even out what they cost, and each costs a start."""
 
 SERIAL_BELOW: Final = 500
 """Fishes below which one thread is quicker than two."""
@@ -101,6 +103,12 @@ class Crowd(NamedTuple):
     "where each column begins, (columns^2 + 2,)"
     shoal: Int64s
     "number, sums of x, y, z [m / FIXED] and of heading, (species, squares^2, 7)"
+
+
+@inlined
+def scattered(turn: int, pieces: int) -> int:
+    """Return the piece of a turn: threads take turns in a row, and neighbours in the crowd go to several threads."""
+    return turn % _PER_THREAD * (pieces // _PER_THREAD) + turn // _PER_THREAD
 
 
 def divide(terrain: Terrain, senses: SenseTable, counts: Int64s) -> Plan:
@@ -234,19 +242,23 @@ def _copy(
     """Copy the cells that begin within begin..end."""
     begin, end = _cell_from(begin, number, order, keys), _cell_from(end, number, order, keys)
     cell = begin
-    while cell < end:
-        after = _cell_from(cell + 1, number, order, keys)
-        if after > cell + 1:
-            _by_id(cell, after, order, rows.id)
-        for k in range(cell, after):
-            _copy_one(k, order[k], keys, rows, crowd)
-        cell = after
+    for k in range(begin + 1, end):
+        here, before = order[k], order[k - 1]
+        same = (keys[here, 0] == keys[before, 0]) & (keys[here, 1] == keys[before, 1])
+        cell = cell if same else k
+        # Seldom: rows are put in order each second, and few fishes change cells between.
+        if same & (rows.id[here] < rows.id[before]):
+            _by_id(cell, _cell_from(k + 1, number, order, keys), order, rows.id)
+    for k in range(begin, end):
+        _copy_one(k, order[k], keys, rows, crowd)
 
 
 @loop
-def _copy_all(number: int, order: Int32s, keys: Int32s, rows: Rows, crowd: Crowd) -> None:
-    for piece in numba.prange(PIECES):
-        begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
+def _copy_all(
+    pieces: int, number: int, order: Int32s, keys: Int32s, rows: Rows, crowd: Crowd
+) -> None:
+    for piece in numba.prange(pieces):
+        begin, end = number * piece // pieces, number * (piece + 1) // pieces
         _copy(begin, end, number, order, keys, rows, crowd)
 
 
@@ -320,7 +332,7 @@ class Grid:
         if number < SERIAL_BELOW:
             self._copy(0, number, number, self.order, self._keys, rows_of(population), self.crowd)
         else:
-            self._copy_all(number, self.order, self._keys, rows_of(population), self.crowd)
+            self._copy_all(PIECES, number, self.order, self._keys, rows_of(population), self.crowd)
 
     def _order(self, population: Population) -> None:
         self._sort_cells(

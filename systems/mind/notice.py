@@ -10,13 +10,23 @@ from components.mind import Role
 from systems.mind.attention import NO_DANGER, Attention, Thoughts
 from systems.mind.beware import fear_all, watch_hunters
 from systems.mind.feel import fear_of_submarine, speed_of
-from systems.mind.gather import find_runs, gather, reach_of
-from systems.mind.perceive import feel_ahead, looks_round, meet_submarine, see_around, watch
+from systems.mind.gather import gather, reach_of
+from systems.mind.perceive import (
+    feel_ahead,
+    first_to_collide,
+    looks_round,
+    meet_submarine,
+    nearest_of_kind,
+    see_around,
+    sort_seen,
+)
 from systems.mind.scene import Minds, Scene
 from systems.mind.shoal import see_shoal
-from systems.mind.sparse import find_sparse_runs
+from systems.mind.sparse import list_sparse
 
 _PREY: Final = int(Role.PREY)
+_NEAR_BY: Final = 1.0
+"""[m] from each other within which minds share what they list of hunters."""
 
 
 @merged
@@ -32,14 +42,17 @@ def notice_company(
         kind = crowd.species[me]
         if crowd.column[me] != column or crowd.layer[me] != layer:
             column, layer = crowd.column[me], crowd.layer[me]
-            runs = find_runs(scene.plan, crowd, column, layer, attention.runs[piece])
-            around = gather(crowd, runs, attention, piece)
+            around = gather(scene.plan, crowd, column, layer, attention, piece)
         reach = reach_of(scene.plan, senses.sight[kind], crowd.length[me])
-        many = see_around(crowd, me, reach, around, attention, piece)
-        thoughts.found[k], thoughts.other[k], thoughts.when[k] = watch(
-            crowd, me, senses.schooling[kind] != 0, thoughts.target[k], senses.eats, many,
-            attention, piece, thoughts.near[k], thoughts.distance[k],
-        )  # fmt: skip
+        see_around(crowd, me, reach, around, attention, piece)
+        schooling = senses.schooling[kind] != 0
+        same, crossing = sort_seen(crowd, me, schooling, around, attention, piece)
+        thoughts.found[k] = nearest_of_kind(
+            same, attention, piece, thoughts.near[k], thoughts.distance[k]
+        )
+        thoughts.other[k], thoughts.when[k] = first_to_collide(
+            crowd, me, thoughts.target[k], senses.eats, crossing, attention, piece
+        )
 
 
 @merged
@@ -59,20 +72,31 @@ def notice_hunters(
     scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
     piece: int,
 ) -> None:  # fmt: skip
-    """Look for hunters, who is calm in every second thought, and fear them."""
-    crowd = scene.crowd
-    far = min(scene.habitat.visibility, scene.hunters.cell)
+    """Look for hunters, who is calm in every second thought, and fear them.
+
+    Minds near each other share a list of the hunters around.
+    """
+    crowd, shared, around = scene.crowd, -1.0, 0
+    near_by = min(_NEAR_BY, 0.5 * scene.hunters.cell)
+    far = min(scene.habitat.visibility, scene.hunters.cell) + near_by
+    x = y = z = 0.0
     for k in range(begin, end):
-        me, runs = thoughts.me[k], 0
-        if minds.fear[crowd.row[me]] > 0.0 or looks_round(scene.now, crowd.id[me]):
-            runs = find_sparse_runs(
-                scene.hunters, crowd.x[me], crowd.y[me], crowd.z[me], far,
-                attention.coarse_runs[piece],
-            )  # fmt: skip
+        me = thoughts.me[k]
         thoughts.seen[k] = 0
-        if runs > 0:
+        if not (minds.fear[crowd.row[me]] > 0.0 or looks_round(scene.now, crowd.id[me])):
+            continue
+        dx, dy, dz = crowd.x[me] - x, crowd.y[me] - y, crowd.z[me] - z
+        if dx * dx + dy * dy + dz * dz > shared:
+            x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
+            around = list_sparse(
+                scene.hunters, x, y, z, far, attention.coarse_runs[piece],
+                attention.hunters_around[piece],
+            )  # fmt: skip
+            # A little less, so that rounding leaves nobody out.
+            shared = 0.99 * near_by * near_by
+        if around > 0:
             thoughts.seen[k], big, soon = watch_hunters(
-                scene, me, thoughts.target[k], runs, attention, piece, thoughts.hunters[k],
+                scene, me, thoughts.target[k], around, attention, piece, thoughts.hunters[k],
                 thoughts.hunter_distance[k],
             )  # fmt: skip
             if soon < thoughts.when[k]:

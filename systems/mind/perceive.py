@@ -10,7 +10,7 @@ from typing import Final, TypeAlias
 
 import numpy as np
 
-from components.arrays import Float64s, Int8s, Int64s
+from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.ground import Terrain, clearance
 from components.kernels import inlined
 from systems.mind.attention import MOST_AROUND, NEIGHBOURS, NO_DANGER, Attention
@@ -22,7 +22,7 @@ LATERAL_LINE: Final = 0.7
 HORIZON: Final = 1.2
 """[s] ahead in which a collision with another fish is foreseen."""
 
-_BLIND: Final = 0.75
+BLIND: Final = 0.75
 """Squared cosine of 30 degrees: half the cone behind a fish in which it sees nothing."""
 
 _ROOM: Final = 0.4
@@ -44,7 +44,7 @@ def looks_round(now: int, identity: int) -> bool:
 def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) -> bool:
     """Return whether what lies at the offset (dx, dy, dz) is within the 300 degree cone around h."""
     along = dx * hx + dy * hy + dz * hz
-    return bool(along >= 0.0 or along * along < _BLIND * (dx * dx + dy * dy + dz * dz))
+    return bool(along >= 0.0 or along * along < BLIND * (dx * dx + dy * dy + dz * dz))
 
 
 Nearest: TypeAlias = tuple[float, float, float, float, float, float, float, float]
@@ -76,15 +76,16 @@ def keep(nearest: Nearest, key: float) -> Nearest:
 
 @inlined
 def list_nearest(
-    nearest: Nearest, found: int, attention: Attention, piece: int, near: Int64s, distance: Float64s
+    nearest: Nearest, found: int, who: Int32s, square: Float64s, near: Int64s, distance: Float64s
 ) -> int:
-    """List the nearest, at most `found`, by place and squared distance, (NEIGHBOURS,) each; return how many."""
-    around, square = attention.around[piece], attention.square[piece]
-    found = min(found, NEIGHBOURS)
-    for k in range(found):
+    """List the nearest, at most `found`, by place and squared distance, (NEIGHBOURS,) each; return how many.
+
+    `who` are the places by slot, `square` [m^2] the squares.
+    """
+    for k in range(NEIGHBOURS):
         slot = np.float64(nearest[k]).view(np.int64) & _SLOTS
-        near[k], distance[k] = around[slot], square[slot]
-    return found
+        near[k], distance[k] = who[slot], square[slot]
+    return min(found, NEIGHBOURS)
 
 
 @inlined
@@ -103,10 +104,10 @@ def insert(other: int, square: float, near: Int64s, distance: Float64s, found: i
 @inlined
 def see_around(
     crowd: Crowd, me: int, reach: float, number: int, attention: Attention, piece: int
-) -> int:
-    """List who of the `number` around is seen or felt within `reach` [m]; return how many."""
+) -> None:
+    """Write how far who is seen or felt within `reach` [m] of the `number` around is; who is not is infinitely far."""
     xs, ys, zs = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
-    square, seen = attention.square[piece], attention.seen[piece]
+    square = attention.square[piece]
     x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
     hx, hy, hz = crowd.hx[me], crowd.hy[me], crowd.hz[me]
     limit = reach * reach
@@ -115,13 +116,27 @@ def see_around(
         dx, dy, dz = xs[k] - x, ys[k] - y, zs[k] - z
         s = dx * dx + dy * dy + dz * dz
         along = dx * hx + dy * hy + dz * hz
-        perceived = (along >= 0.0) | (along * along < _BLIND * s) | (s < felt)
+        perceived = (along >= 0.0) | (along * along < BLIND * s) | (s < felt)
         square[k] = s if perceived & (s <= limit) else NO_DANGER
-    many = 0
+
+
+@inlined
+def sort_seen(
+    crowd: Crowd, me: int, schooling: bool, number: int, attention: Attention, piece: int
+) -> tuple[int, int]:
+    """List who is seen of the `number` around: its kind, and who may cross its way; return how many each are.
+
+    A schooler keeps clear of its own kind by separation alone.
+    """
+    around, kinds, square = attention.around[piece], attention.kinds[piece], attention.square[piece]
+    company, others = attention.company[piece], attention.others[piece]
+    same = crossing = 0
     for k in range(number):
-        seen[many] = k
-        many += square[k] < NO_DANGER
-    return many
+        seen, own = (square[k] < NO_DANGER) & (around[k] != me), kinds[k] == crowd.species[me]
+        company[same], others[crossing] = k, k
+        same += seen & own
+        crossing += seen & ((not schooling) | (not own))
+    return same, crossing
 
 
 @inlined
@@ -147,65 +162,33 @@ def collision(crowd: Crowd, me: int, other: int) -> float:
 
 @inlined
 def nearest_of_kind(
-    crowd: Crowd,
-    me: int,
-    many: int,
-    attention: Attention,
-    piece: int,
-    near: Int64s,
-    distance: Float64s,
+    many: int, attention: Attention, piece: int, near: Int64s, distance: Float64s
 ) -> int:
-    """List the nearest of one's species among the `many` seen, nearest first; return how many."""
-    around, square, seen = attention.around[piece], attention.square[piece], attention.seen[piece]
-    found, kind, nearest = 0, crowd.species[me], NOBODY
+    """List the nearest of the `many` of its kind that are seen, nearest first, (NEIGHBOURS,) each; return how many."""
+    square, company, nearest = attention.square[piece], attention.company[piece], NOBODY
     for at in range(many):
-        slot = seen[at]
-        k = int(around[slot])
-        if k != me and crowd.species[k] == kind:
-            nearest = keep(nearest, name(square[slot], slot))
-            found += 1
-    return list_nearest(nearest, found, attention, piece, near, distance)
+        nearest = keep(nearest, name(square[company[at]], company[at]))
+    return list_nearest(nearest, many, attention.around[piece], square, near, distance)
 
 
 @inlined
-def watch(
-    crowd: Crowd,
-    me: int,
-    schooling: bool,
-    target: int,
-    eats: Int8s,
-    many: int,
-    attention: Attention,
-    piece: int,
-    near: Int64s,
-    distance: Float64s,
-) -> tuple[int, int, float]:
-    """Find the nearest of one's species among the `many` seen, and who is about to collide.
+def first_to_collide(
+    crowd: Crowd, me: int, target: int, eats: Int8s, many: int, attention: Attention, piece: int
+) -> tuple[int, float]:
+    """Return the place of the first to collide of the `many` that may, -1 for none, and the time to it [s].
 
-    Write their places in the crowd and squared distances, nearest first, (NEIGHBOURS,) each; return how many they are,
-    the place of the first to collide, -1 for none, and the time to it [s]. A schooler keeps clear of
-    its own kind by separation alone, nobody of its `target`'s place, and fears who `eats`, (S, S), its kind instead.
+    Nobody is of its `target`'s place; who `eats`, (S, S), its kind it fears instead.
     """
-    around, square, seen = attention.around[piece], attention.square[piece], attention.seen[piece]
-    found, threat, soonest, nearest = 0, -1, NO_DANGER, NOBODY
-    kind = crowd.species[me]
+    around, kinds, others = attention.around[piece], attention.kinds[piece], attention.others[piece]
+    threat, soonest, kind = -1, NO_DANGER, crowd.species[me]
     for at in range(many):
-        slot = seen[at]
-        k = int(around[slot])
-        if k == me:
-            continue
-        if crowd.species[k] == kind:
-            nearest = keep(nearest, name(square[slot], slot))
-            found += 1
-            if schooling:
-                continue
-        if k == target or eats[crowd.species[k], kind] != 0:
+        k = int(around[others[at]])
+        if k == target or eats[kinds[others[at]], kind] != 0:
             continue
         when = collision(crowd, me, k)
         if when < soonest:
             threat, soonest = k, when
-    found = list_nearest(nearest, found, attention, piece, near, distance)
-    return found, threat, soonest
+    return threat, soonest
 
 
 @inlined

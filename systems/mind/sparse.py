@@ -20,6 +20,9 @@ WANTED: Final = 48
 LONGEST_RUN: Final = 512
 """Of a longer run every second, third, ... is perceived: a swarm costs no more than this."""
 
+MOST_LISTED: Final = 16 * (LONGEST_RUN + 1)
+"""Room for what `list_sparse` lists."""
+
 _MOST_SIDE: Final = 64
 
 
@@ -46,14 +49,17 @@ class Sparse(NamedTuple):
     "[m]"
     what: Int32s
     "place in the crowd, or row in the table of food"
+    step: Int32s
+    "each which of all is listed, so that no run of cells lists more than `LONGEST_RUN`, (1,)"
 
 
 def no_sparse() -> Sparse:
     """Return a grid of nothing."""
     zeros = np.zeros(0)
     return Sparse(
-        1.0, 1.0, 1, 1, 0, np.zeros(3, np.int32), zeros, zeros, zeros, np.zeros(0, np.int32)
-    )
+        1.0, 1.0, 1, 1, 0, np.zeros(3, np.int32), zeros, zeros, zeros, np.zeros(0, np.int32),
+        np.ones(1, np.int32),
+    )  # fmt: skip
 
 
 def divide_coarsely(terrain: Terrain, number: int, least: float) -> tuple[float, int, int]:
@@ -90,6 +96,11 @@ def sort_sparse(
         first[keys[k] + 2] += 1
     for cell in range(sparse.side * sparse.side * sparse.layers):
         first[cell + 2] += first[cell + 1]
+    longest = 0
+    for column in range(sparse.side * sparse.side):
+        at = column * sparse.layers
+        longest = max(longest, first[at + sparse.layers + 1] - first[at + 1])
+    sparse.step[0] = longest // LONGEST_RUN + 1
     for k in range(number):
         at, named = first[keys[k] + 1], what[k]
         first[keys[k] + 1] += 1
@@ -101,7 +112,10 @@ def sort_sparse(
 def find_sparse_runs(
     sparse: Sparse, x: float, y: float, z: float, reach: float, runs: Int32s
 ) -> int:
-    """Write begin and end of each run of the cells within `reach` [m], at most a cell, of a point; return how many."""
+    """Write begin and end of each run of the cells within `reach` [m] of a point; return how many.
+
+    They are at most sixteen where `reach` is at most a cell and a half.
+    """
     if sparse.number == 0:
         return 0
     i, j, low = _index(sparse, x - reach, y - reach, z + reach)
@@ -115,6 +129,24 @@ def find_sparse_runs(
                 runs[2 * found], runs[2 * found + 1] = begin, end
                 found += 1
     return found
+
+
+@inlined
+def list_sparse(
+    sparse: Sparse, x: float, y: float, z: float, reach: float, runs: Int32s, listed: Int32s
+) -> int:
+    """List who stands within `reach` [m], at most a cell and a half, of a point; return how many.
+
+    All lists are in one order, and leave out the same: what is near two points is in both lists.
+    """
+    many, limit, step = 0, reach * reach, sparse.step[0]
+    for run in range(find_sparse_runs(sparse, x, y, z, reach, runs)):
+        begin = (runs[2 * run] + step - 1) // step * step
+        for k in range(begin, runs[2 * run + 1], step):
+            dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
+            listed[many] = k
+            many += dx * dx + dy * dy + dz * dz <= limit
+    return many
 
 
 class SparseGrid:

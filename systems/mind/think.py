@@ -32,7 +32,7 @@ from systems.mind.attention import (
     make_attention,
     make_thoughts,
 )
-from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan
+from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan, scattered
 from systems.mind.intend import (
     AVOID_FISH,
     EAT,
@@ -197,6 +197,7 @@ def think_some(
 
 @loop
 def think_all(
+    pieces: int,
     now: int,
     seed: int,
     day: float,
@@ -224,14 +225,14 @@ def think_all(
 
     The scene comes in its parts: numba takes no tuple of tuples into prange.
     """
-    for turn in numba.prange(PIECES):
-        piece = (turn * 27) % PIECES
-        begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
+    for turn in numba.prange(pieces):
+        piece = scattered(turn, pieces)
+        begin, end = number * piece // pieces, number * (piece + 1) // pieces
         scene = Scene(
             now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places, submarine,
             submarine_velocity, submarines, food_position, food_last, there,
         )  # fmt: skip
-        think_some(scene, begin, end, minds, thoughts, attention, numba.get_thread_id())
+        think_some(scene, begin, end, minds, thoughts, attention, piece)
 
 
 @row
@@ -307,7 +308,7 @@ class Think:
         if number < SERIAL_BELOW:
             self._think_some(scene, 0, number, minds, self._thoughts, self._attention, 0)
         else:
-            self._think_all(*scene, number, minds, self._thoughts, self._attention)
+            self._think_all(PIECES, *scene, number, minds, self._thoughts, self._attention)
 
     def _scene(self, number: int) -> Scene:
         """Return the world as minds find it this tick."""

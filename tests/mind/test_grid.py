@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from systems.mind.attention import NEIGHBOURS, make_attention
-from systems.mind.gather import find_runs, gather
-from systems.mind.perceive import LATERAL_LINE, see_around, watch
+from systems.mind.gather import gather
+from systems.mind.perceive import LATERAL_LINE, nearest_of_kind, see_around, sort_seen
 from systems.mind.shoal import Shoals
 
 
@@ -38,13 +38,11 @@ def test_neighbours_are_those_of_brute_force(
     plan, crowd = grid.plan, grid.crowd
     several = 0
     for place in range(0, sardines + tangs, 7):
-        runs = find_runs(plan, crowd, crowd.column[place], crowd.layer[place], attention.runs[0])
-        around = gather(crowd, runs, attention, 0)
-        many = see_around(crowd, place, plan.cell, around, attention, 0)
+        around = gather(plan, crowd, crowd.column[place], crowd.layer[place], attention, 0)
+        see_around(crowd, place, plan.cell, around, attention, 0)
+        many, _ = sort_seen(crowd, place, True, around, attention, 0)
         near, square = attention.sought[0], attention.sought_distance[0]
-        found, _, _ = watch(
-            crowd, place, True, -1, scene.senses.eats, many, attention, 0, near, square
-        )
+        found = nearest_of_kind(many, attention, 0, near, square)
         rows = [int(crowd.row[k]) for k in near[:found]]
         assert rows == nearest_by_brute_force(scene, int(crowd.row[place]), plan.cell)
         several += found > 1
