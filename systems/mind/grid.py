@@ -142,7 +142,10 @@ def sort_cells(
     order: Int32s,
     first: Int32s,
 ) -> None:
-    """Write `order`, the rows by column and layer, and `first`, where each column begins."""
+    """Put `order`, the rows in any order, by column and layer; write `first`, where each column begins.
+
+    Rows of a cell stay in the order in which they were.
+    """
     last = plan.columns - 1
     tally[: plan.layers + 1] = 0
     first[: plan.columns * plan.columns + 2] = 0
@@ -157,7 +160,8 @@ def sort_cells(
         tally[layer + 1] += tally[layer]
     for column in range(plan.columns * plan.columns):
         first[column + 2] += first[column + 1]
-    for i in range(number):
+    for k in range(number):
+        i = order[k]
         by_layer[tally[keys[i, 1]]] = i
         tally[keys[i, 1]] += 1
     for k in range(number):
@@ -246,7 +250,7 @@ def _copy(
         here, before = order[k], order[k - 1]
         same = (keys[here, 0] == keys[before, 0]) & (keys[here, 1] == keys[before, 1])
         cell = cell if same else k
-        # Seldom: rows are put in order each second, and few fishes change cells between.
+        # Seldom: the last tick's order stands, but for those who have changed cells.
         if same & (rows.id[here] < rows.id[before]):
             _by_id(cell, _cell_from(k + 1, number, order, keys), order, rows.id)
     for k in range(begin, end):
@@ -298,6 +302,7 @@ class Grid:
         self.crowd = make_crowd(0, 0, 0, 0)
         self.order = self._by_layer = self._tally = np.zeros(0, np.int32)
         self._keys = np.zeros((0, 2), np.int32)
+        self._number = 0
         self._sort_cells = Launch(sort_cells)
         self._copy, self._copy_all = Launch(_copy), Launch(_copy_all)
 
@@ -309,6 +314,8 @@ class Grid:
             room = max(16, 2 * len(self.order), number)
             self.order, self._by_layer = np.zeros(room, np.int32), np.zeros(room, np.int32)
             self._keys = np.zeros((room, 2), np.int32)
+        if number != self._number:
+            self._start_anew(number)
         if plan.layers + 1 > len(self._tally):
             self._tally = np.zeros(2 * plan.layers + 1, np.int32)
         old = (len(crowd.x), len(crowd.first) - 2, crowd.shoal.shape[1])
@@ -318,6 +325,11 @@ class Grid:
                 len(self.order), max(columns, old[1]), kinds, max(squares, old[2])
             )
 
+    def _start_anew(self, number: int) -> None:
+        """Forget the last tick's order: rows have moved."""
+        self._number = number
+        self.order[:number] = np.arange(number)
+
     def sort(self, population: Population, reorder: bool = False) -> None:
         """Sort the living fishes into cells; with `reorder` put their rows in that order too."""
         fish, number = population.fish, population.count
@@ -325,10 +337,12 @@ class Grid:
         if not np.array_equal(counts, self._counts):
             self._counts, self.plan = counts, divide(self.terrain, self.senses, counts)
         self._fit(number)
-        self._order(population)
         if reorder:
-            population.reorder(self.order[:number].astype(np.int64))
+            self._start_anew(number)
             self._order(population)
+            population.reorder(self.order[:number].astype(np.int64))
+            self._start_anew(number)
+        self._order(population)
         if number < SERIAL_BELOW:
             self._copy(0, number, number, self.order, self._keys, rows_of(population), self.crowd)
         else:
