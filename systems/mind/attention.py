@@ -41,7 +41,9 @@ class Attention(NamedTuple):
     kinds: Int32s
     "their species, (PIECES, MOST_AROUND)"
     square: Float64s
-    "squared distances [m^2] to them, `NO_DANGER` where out of sight, (PIECES, MOST_AROUND + 1)"
+    "squared distances [m^2] to them, (PIECES, MOST_AROUND + 1)"
+    marks: Int32s
+    "1 for who is seen and of its kind, and 2 for who is seen and may cross its way, (PIECES, MOST_AROUND)"
     company: Int32s
     "which of them are of its kind and seen, (PIECES, MOST_AROUND + 1)"
     others: Int32s
@@ -138,6 +140,7 @@ def make_attention() -> Attention:
         around=places(MOST_AROUND),
         kinds=places(MOST_AROUND),
         square=reals(MOST_AROUND + 1),
+        marks=places(MOST_AROUND),
         company=places(MOST_AROUND + 1),
         others=places(MOST_AROUND + 1),
         coarse_runs=places(32),

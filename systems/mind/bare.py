@@ -16,7 +16,7 @@ from systems.mind.attention import Attention, make_attention
 from systems.mind.behave.school import keep_company
 from systems.mind.gather import gather, reach_of
 from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan, scattered
-from systems.mind.perceive import nearest_of_kind, see_around, sort_seen
+from systems.mind.perceive import nearest_of_kind, see_around
 
 
 @row
@@ -41,8 +41,7 @@ def flock_some(
         length = crowd.length[me]
         reach = reach_of(plan, senses.sight[kind], length)
         near, distance = attention.sought[piece], attention.sought_distance[piece]
-        see_around(crowd, me, reach, around, attention, piece)
-        many, _ = sort_seen(crowd, me, True, around, attention, piece)
+        many, _ = see_around(crowd, me, reach, True, around, attention, piece)
         found = nearest_of_kind(many, attention, piece, near, distance)
         x, y, z, _, _ = keep_company(
             crowd, me, near, distance, found, senses.spacing[kind] * length

@@ -18,7 +18,6 @@ from systems.mind.perceive import (
     meet_submarine,
     nearest_of_kind,
     see_around,
-    sort_seen,
 )
 from systems.mind.scene import Minds, Scene
 from systems.mind.shoal import see_shoal
@@ -44,9 +43,8 @@ def notice_company(
             column, layer = crowd.column[me], crowd.layer[me]
             around = gather(scene.plan, crowd, column, layer, attention, piece)
         reach = reach_of(scene.plan, senses.sight[kind], crowd.length[me])
-        see_around(crowd, me, reach, around, attention, piece)
         schooling = senses.schooling[kind] != 0
-        same, crossing = sort_seen(crowd, me, schooling, around, attention, piece)
+        same, crossing = see_around(crowd, me, reach, schooling, around, attention, piece)
         thoughts.found[k] = nearest_of_kind(
             same, attention, piece, thoughts.near[k], thoughts.distance[k]
         )

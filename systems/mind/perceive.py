@@ -103,11 +103,26 @@ def insert(other: int, square: float, near: Int64s, distance: Float64s, found: i
 
 @inlined
 def see_around(
-    crowd: Crowd, me: int, reach: float, number: int, attention: Attention, piece: int
-) -> None:
-    """Write how far who is seen or felt within `reach` [m] of the `number` around is; who is not is infinitely far."""
+    crowd: Crowd,
+    me: int,
+    reach: float,
+    schooling: bool,
+    number: int,
+    attention: Attention,
+    piece: int,
+) -> tuple[int, int]:
+    """List who is seen or felt within `reach` [m] of the `number` around; return how many of each there are.
+
+    They are those of its kind, and those who may cross its way: a schooler keeps clear of its own kind by separation
+    alone.
+    """
     xs, ys, zs = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
-    square = attention.square[piece]
+    around, kinds, square = attention.around[piece], attention.kinds[piece], attention.square[piece]
+    company, others, marks = (
+        attention.company[piece],
+        attention.others[piece],
+        attention.marks[piece],
+    )
     x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
     hx, hy, hz = crowd.hx[me], crowd.hy[me], crowd.hz[me]
     limit = reach * reach
@@ -117,25 +132,18 @@ def see_around(
         s = dx * dx + dy * dy + dz * dz
         along = dx * hx + dy * hy + dz * hz
         perceived = (along >= 0.0) | (along * along < BLIND * s) | (s < felt)
-        square[k] = s if perceived & (s <= limit) else NO_DANGER
-
-
-@inlined
-def sort_seen(
-    crowd: Crowd, me: int, schooling: bool, number: int, attention: Attention, piece: int
-) -> tuple[int, int]:
-    """List who is seen of the `number` around: its kind, and who may cross its way; return how many each are.
-
-    A schooler keeps clear of its own kind by separation alone.
-    """
-    around, kinds, square = attention.around[piece], attention.kinds[piece], attention.square[piece]
-    company, others = attention.company[piece], attention.others[piece]
+        square[k] = s
+        marks[k] = np.int32(1 if perceived & (s <= limit) else 0)
+    kind, loner = crowd.species[me], np.int32(0 if schooling else 2)
+    for k in range(number):
+        own = np.int32(1 if kinds[k] == kind else 2)
+        mark = marks[k] if around[k] != me else np.int32(0)
+        marks[k] = (own | loner) if mark != 0 else np.int32(0)
     same = crossing = 0
     for k in range(number):
-        seen, own = (square[k] < NO_DANGER) & (around[k] != me), kinds[k] == crowd.species[me]
         company[same], others[crossing] = k, k
-        same += seen & own
-        crossing += seen & ((not schooling) | (not own))
+        same += marks[k] & 1
+        crossing += marks[k] >> 1
     return same, crossing
 
 
