@@ -31,7 +31,7 @@ class FishTable(Table):
     species: Int32s = column(np.int32)
     "row in `SpeciesTable`, (capacity,)"
     cohort: Int32s = column(np.int32)
-    "which of the level's groups spawned it, (capacity,)"
+    "which of the level's groups spawned it, below 0 for groups of no level; a cohort roams together, (capacity,)"
     length: Float64s = column(np.float64, fill=1)
     "[m] nose to tail tip; alpha of papers/000 eq. 12, (capacity,)"
     position: Float64s = column(np.float64, 3)

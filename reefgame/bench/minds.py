@@ -70,7 +70,7 @@ def reef(fishes: int, seed: int = 1) -> World:
         around = np.array([out * cos(angle), out * sin(angle), -deep])
         length = world.species[species].length
         within = length * (number / (DENSITY * 4.18879)) ** (1 / 3)
-        world.spawn.add(species, number, around, max(within, 0.5))
+        world.spawn.add(species, number, around, max(within, 0.5), cohort=-1 - place)
     return world
 
 

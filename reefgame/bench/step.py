@@ -32,7 +32,7 @@ def crowded(fishes: int, seed: int = 1) -> World:
         number = missing * (clump + 1) // clumps - missing * clump // clumps
         share = np.round(np.cumsum(shares) / shares.sum() * number).astype(int)
         for species, count in enumerate(np.diff(share, prepend=0)):
-            world.spawn.add(species, int(count), around, 0.3 * deep + 2.0)
+            world.spawn.add(species, int(count), around, 0.3 * deep + 2.0, cohort=-1 - clump)
     return world
 
 

@@ -4,7 +4,7 @@ The focus of attention lets one target pass. What else was perceived remains as 
 a predator farther off bend the wanted direction a little, and never turn it round (FINDINGS 2).
 """
 
-from math import sqrt
+from math import nan, sqrt
 from typing import Final
 
 from components.arrays import Float64s, Int32s
@@ -312,7 +312,7 @@ def act(
     piece: int,
 ) -> None:  # fmt: skip
     """Run the behaviour routines of the minds of rows begin..end; write heading, gear, urgency, throttle and gape."""
-    attention.roaming[piece, 0] = -1.0
+    attention.roaming[piece, 0] = nan  # no cohort is equal to it
     for k in range(begin, end):
         heed_worst(
             scene.crowd, thoughts.me[k], thoughts.predator[k], thoughts.scare[k], thoughts.away[k],

@@ -75,7 +75,7 @@ def notice_hunters(
     Minds near each other share a list of the hunters around.
     """
     crowd, shared, around = scene.crowd, -1.0, 0
-    near_by = min(_NEAR_BY, 0.5 * scene.hunters.cell)
+    near_by = min(_NEAR_BY, 0.49 * scene.hunters.cell)
     far = min(scene.habitat.visibility, scene.hunters.cell) + near_by
     x = y = z = 0.0
     for k in range(begin, end):

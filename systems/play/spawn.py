@@ -111,7 +111,10 @@ class Spawn:
     def add(
         self, species: int, number: int, around: Float64s, within: float, cohort: int = -1
     ) -> list[int]:
-        """Add `number` fishes of the species row in the ball around `around` [m]; return their ids."""
+        """Add `number` fishes of the species row in the ball around `around` [m]; return their ids.
+
+        `cohort`: the row of the level's group, or below 0 for a group of no level, whose fishes nobody replaces.
+        """
         fresh = self.roster.take(number)
         ids: list[int] = fresh.tolist()
         rows = self.population.append(fresh)
