@@ -16,9 +16,10 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import register_pass
 from numba.core.registry import CPUDispatcher
-from numba.core.typed_passes import NativeLowering
+from numba.core.typed_passes import NativeLowering, NativeParforLowering
 from numba.core.untyped_passes import InlineInlinables
 
+from components.kernel_arguments import LowerParallel, words_of
 from components.kernel_fields import FieldsOnce, LowerFields
 
 
@@ -77,11 +78,12 @@ class _KernelCompiler(Compiler):  # type: ignore[misc]  # numba is untyped
     def define_pipelines(self) -> Any:
         """Return numba's passes and ours."""
         passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        ours = {NativeParforLowering: LowerParallel}
         if not self.state.flags.auto_parallel.enabled:
             passes.add_pass_after(FieldsOnce, InlineInlinables)
             ours = {InlineInlinables: _Merge, NativeLowering: LowerFields}
-            passes.passes = [(ours.get(step, step), why) for step, why in passes.passes]
-            passes.finalize()
+        passes.passes = [(ours.get(step, step), why) for step, why in passes.passes]
+        passes.finalize()
         return [passes]
 
 
@@ -185,9 +187,12 @@ class Kernel(CPUDispatcher):  # type: ignore[misc]  # numba is untyped
             cres.codegen.set_env(environment.env_name, environment)
 
 
-def entry(kernel: Kernel, args: tuple[Any, ...]) -> Callable[..., Any]:
-    """Return the machine code of the kernel for the types of `args`; it must be given no others."""
+def entry(kernel: Kernel, args: tuple[Any, ...]) -> tuple[Callable[..., Any], int]:
+    """Return the machine code of the kernel for the types of `args`, and for how many words of memory it asks.
+
+    It must be given arguments of no other types.
+    """
     signature = tuple(map(kernel.typeof_pyval, args))
     kernel.compile(signature)
     code: Callable[..., Any] = kernel.overloads[signature].entry_point
-    return code
+    return code, words_of(kernel.targetctx, signature)

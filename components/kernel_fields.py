@@ -17,9 +17,10 @@ from numba.core import ir, types
 from numba.core.analysis import must_use_alloca
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.ir_utils import build_definitions, replace_vars
-from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 from numba.np import arrayobj
+
+from components.kernel_arguments import EntryLowering
 
 _Path = tuple[int | str, ...]
 """Where a value stands: number of the argument, then the names of fields within fields."""
@@ -143,7 +144,7 @@ def _counted_from_the_front() -> Iterator[None]:
         arrayobj.fix_integer_index = numbas
 
 
-class _LowerWithoutPlaces(Lower):  # type: ignore[misc]  # numba is untyped
+class _LowerWithoutPlaces(EntryLowering):  # type: ignore[misc]  # numba is untyped
     """Keeps arguments and their fields as values, where numba would keep what several blocks read in memory."""
 
     def lower(self) -> None:

@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any, Final, Generic, ParamSpec, TypeVar, cast
 
 import numba
+import numpy as np
 from numba.core.caching import FunctionCache
 from numba.core.serialize import dumps
 from platformdirs import user_cache_path
@@ -193,20 +194,28 @@ def _compile(function: _Kernel, kind: str, **options: Any) -> _Kernel:
 class Launch(Generic[_Told, _Given]):
     """A kernel as a system calls it, always with arguments of the same types: numba looks at them once.
 
-    It looks at every array of every call else: 50 us for the hundred that minds read, while other threads wait.
+    It looks at every array of every call else: 50 us for the hundred that minds read, while other threads wait. So
+    arrays and tuples should be the same objects from call to call; the last are kept alive.
     """
 
     def __init__(self, kernel: Callable[_Told, _Given]) -> None:
         self._kernel = kernel
-        self._entry: Callable[_Told, _Given] | None = None
+        self._entry: Callable[..., _Given] | None = None
 
-    def __call__(self, *args: _Told.args, **kwargs: _Told.kwargs) -> _Given:
+    def __call__(self, *args: _Told.args) -> _Given:
         """Run the kernel."""
         if self._entry is None:
-            self._entry = (
-                entry(self._kernel, args) if isinstance(self._kernel, Kernel) else self._kernel
-            )
-        return self._entry(*args, **kwargs)
+            return self._begin(args)
+        return self._entry(*args, self._kept)
+
+    def _begin(self, args: tuple[Any, ...]) -> _Given:
+        if not isinstance(self._kernel, Kernel):
+            return self._kernel(*args)
+        code, words = entry(self._kernel, args)
+        self._words = np.zeros(words, np.int64)
+        self._kept = [self._words.ctypes.data, *[None] * words]
+        self._entry = code
+        return self(*args)
 
 
 def row(function: _Kernel) -> _Kernel:
