@@ -53,6 +53,8 @@ class Population:
     motor: MotorTable = field(default_factory=MotorTable)
 
     def __post_init__(self) -> None:
+        self.changes = 0
+        "how often fishes came, left or were restored: else there are as many of each species"
         self.index = RowIndex()
         self.reindex()
 
@@ -63,16 +65,18 @@ class Population:
 
     def append(self, ids: Int64s) -> slice:
         """Add a row for each new id to all three tables; return the rows."""
+        self.changes += 1
         rows = self.fish.append(len(ids))
         self.mind.append(len(ids))
         self.motor.append(len(ids))
         self.fish.id[rows] = ids
         if not self.index.add(ids, rows.start):
-            self.reindex()
+            self._reindex()
         return rows
 
     def remove(self, identity: int) -> None:
         """Forget the fish `identity`; the last row takes its place. Raise KeyError where there is none."""
+        self.changes += 1
         row, last = self.row(identity), self.fish.count - 1
         self.index.move(int(self.fish.id[last]), row)
         self.index.move(identity, -1)
@@ -83,10 +87,14 @@ class Population:
         """Put the fish of row order[i] into row i."""
         for table in (self.fish, self.mind, self.motor):
             table.reorder(order)
-        self.reindex()
+        self._reindex()
 
     def reindex(self) -> None:
         """Rebuild the map from id to row after rows were moved or restored."""
+        self.changes += 1
+        self._reindex()
+
+    def _reindex(self) -> None:
         self.index.rebuild(self.fish.id[: self.fish.count])
 
     def row(self, identity: int) -> int:

@@ -70,11 +70,12 @@ class RowIndex:
     """The rows of all living ids."""
 
     def __init__(self) -> None:
+        self._places = Places(np.empty(0, np.int64), np.empty(0, np.int64))
         self.rebuild(np.empty(0, np.int64))
 
     @property
     def places(self) -> Places:
-        """The table; stale after ids were added."""
+        """The table; another after ids were added, or rebuilt to another size."""
         return self._places
 
     def rebuild(self, ids: Int64s) -> None:
@@ -82,7 +83,9 @@ class RowIndex:
         size = _SMALLEST
         while size < 3 * len(ids):
             size *= 2
-        self._places = Places(np.full(size, _FREE, np.int64), np.full(size, -1, np.int64))
+        if size != len(self._places.id):
+            self._places = Places(np.empty(size, np.int64), np.empty(size, np.int64))
+        self._places.id[:], self._places.row[:] = _FREE, -1
         self._taken = _point(self._places, ids, 0)
 
     def add(self, ids: Int64s, first: int) -> bool:

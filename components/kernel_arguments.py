@@ -12,11 +12,11 @@ from typing import Any, Final
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.callwrapper import PyCallWrapper
+from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeParforLowering
-from numba.core.compiler_machinery import register_pass
-from numba.parfors.parfor_lowering import ParforLower
 from numba.np import arrayobj
+from numba.parfors.parfor_lowering import ParforLower
 
 _WORD: Final = ir.IntType(64)
 _KEPT: Final = (types.BaseTuple, types.Array)
@@ -126,7 +126,7 @@ class Entry(PyCallWrapper):  # type: ignore[misc]  # numba is untyped
     After the arguments may come a list: address of zeroed words, then room for an object a word. Else nothing is kept.
     """
 
-    def build_wrapper(self, api: Any, builder: Any, closure: Any, args: Any, kws: Any) -> None:
+    def build_wrapper(self, api: Any, builder: Any, _closure: Any, args: Any, _kws: Any) -> None:
         """Write its code."""
         kinds = self.fndesc.argtypes
         failed = builder.append_basic_block("failed")
@@ -138,9 +138,7 @@ class Entry(PyCallWrapper):  # type: ignore[misc]  # numba is untyped
         with cgutils.if_unlikely(builder, cgutils.is_null(builder, parsed)):
             builder.branch(failed)
         *objects, kept = (builder.load(place) for place in given)
-        reader = _Reader(
-            self.context, builder, api, self._words(api, builder, kept), kept, failed
-        )
+        reader = _Reader(self.context, builder, api, self._words(api, builder, kept), kept, failed)
         places = [
             None if isinstance(kind, types.Omitted) else reader.read(kind, thing)
             for kind, thing in zip(kinds, objects, strict=True)

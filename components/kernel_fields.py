@@ -144,7 +144,7 @@ def _counted_from_the_front() -> Iterator[None]:
         arrayobj.fix_integer_index = numbas
 
 
-class _LowerWithoutPlaces(EntryLowering):  # type: ignore[misc]  # numba is untyped
+class _LowerWithoutPlaces(EntryLowering):
     """Keeps arguments and their fields as values, where numba would keep what several blocks read in memory."""
 
     def lower(self) -> None:

@@ -201,21 +201,22 @@ class Launch(Generic[_Told, _Given]):
     def __init__(self, kernel: Callable[_Told, _Given]) -> None:
         self._kernel = kernel
         self._entry: Callable[..., _Given] | None = None
+        self._kept: tuple[list[Any], ...] = ()
 
-    def __call__(self, *args: _Told.args) -> _Given:
+    def __call__(self, *args: _Told.args, **kwargs: _Told.kwargs) -> _Given:
         """Run the kernel."""
         if self._entry is None:
-            return self._begin(args)
-        return self._entry(*args, self._kept)
+            self._entry = self._find(args)
+        return self._entry(*args, *self._kept, **kwargs)
 
-    def _begin(self, args: tuple[Any, ...]) -> _Given:
+    def _find(self, args: tuple[Any, ...]) -> Callable[..., _Given]:
+        """Return what runs the kernel, and have words of memory for it."""
         if not isinstance(self._kernel, Kernel):
-            return self._kernel(*args)
+            return self._kernel
         code, words = entry(self._kernel, args)
         self._words = np.zeros(words, np.int64)
-        self._kept = [self._words.ctypes.data, *[None] * words]
-        self._entry = code
-        return self(*args)
+        self._kept = ([self._words.ctypes.data, *[None] * words],)
+        return code
 
 
 def row(function: _Kernel) -> _Kernel:

@@ -201,24 +201,22 @@ def _between(keys: KeyFrames, track: int, frame: int, part: int, h: float, u: fl
 
 
 @row
-def _play(
+def play_tracks(
     keys: KeyFrames,
     track: Int32s,
     attached: Int64s,
     position: Float64s,
     intensity: Float64s,
+    number: int,
     seconds: float,
 ) -> None:
-    for k in range(len(track)):
+    """Write intensity, and position where nothing carries it, of those of `number` singularities that have a track.
+
+    Columns as in `SingularityTable`; `seconds` [s] from the dive's start.
+    """
+    for k in range(number):
         if track[k] >= 0:
             x, y, z, phi = key_frame(keys, track[k], seconds)
             intensity[k] = phi
             if attached[k] == FREE:
                 position[k, 0], position[k, 1], position[k, 2] = x, y, z
-
-
-def play_tracks(table: SingularityTable, keys: KeyFrames, seconds: float) -> None:
-    """Write intensity, and position where nothing carries it, of every singularity that has a track, at a time [s]."""
-    count = table.count
-    track, attached = table.track[:count], table.attached[:count]
-    _play(keys, track, attached, table.position[:count], table.intensity[:count], seconds)

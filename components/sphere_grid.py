@@ -60,8 +60,9 @@ def _span(extent: float, centre: Float64s, k: int, reach: float) -> tuple[int, i
 
 
 @row
-def _list(extent: float, centre: Float64s, reach: Float64s, first: Int32s, listed: Int32s) -> int:
-    """Fill the lists; return how much room they need: where `listed` has less, only that is right."""
+def fill_lists(grid: SphereGrid, centre: Float64s, reach: Float64s) -> int:
+    """List spheres as `list_spheres` does; return the room that needs: where `listed` has less, only that is right."""
+    extent, first, listed = grid
     for square in range(SIDE * SIDE + 1):
         first[square] = 0
     needed = 0
@@ -94,10 +95,10 @@ def list_spheres(grid: SphereGrid, centre: Float64s, reach: Float64s) -> SphereG
 
     Spheres without reach are left out. It writes into `grid` where there is room.
     """
-    needed = _list(grid.extent, centre, reach, grid.first, grid.listed)
+    needed = fill_lists(grid, centre, reach)
     if needed > len(grid.listed):
         grid = grid._replace(listed=np.zeros(2 * needed, np.int32))
-        _list(grid.extent, centre, reach, grid.first, grid.listed)
+        fill_lists(grid, centre, reach)
     return grid
 
 

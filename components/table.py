@@ -37,6 +37,8 @@ class Table:
     """Arrays of equal capacity, one row an entity; `count` rows live."""
 
     columns: ClassVar[dict[str, Column]] = {}
+    growths: ClassVar[int] = 0
+    "how often any table has grown since the start"
 
     def __init_subclass__(cls) -> None:
         """Collect the columns that the class body declares."""
@@ -72,8 +74,8 @@ class Table:
     def reorder(self, order: Int64s) -> None:
         """Put row `order[i]` at i, for a permutation `order` of shape (count,)."""
         for name in self.columns:
-            values = getattr(self, name)
-            values[: self.count] = values[order]
+            values = self.live(name)
+            values[:] = values.take(order, axis=0)
 
     def live(self, name: str) -> AnyArray:
         """Return a view of the living rows of the column `name`."""
@@ -93,6 +95,7 @@ class Table:
             getattr(self, name)[: self.count] = saved[name]
 
     def _grow(self, needed: int) -> None:
+        Table.growths += 1
         while self.capacity < needed:
             self.capacity *= 2
         for name, spec in self.columns.items():
@@ -104,7 +107,7 @@ class Table:
 
 
 class Columns(Generic[_Named]):
-    """The columns that a kernel takes, as the NamedTuple `kind` names them: looked up anew when a table has grown."""
+    """The columns that a kernel takes, as the NamedTuple `kind` names them: the same tuple until a table has grown."""
 
     def __init__(self, kind: type[_Named], *tables: Table) -> None:
         """Take the tables; where two have a column of one name, that of the first counts."""
@@ -113,14 +116,12 @@ class Columns(Generic[_Named]):
 
     def __call__(self) -> _Named:
         """Return the columns; stale when a table grows."""
-        for table, capacity in zip(self._tables, self._capacities, strict=True):
-            if table.capacity != capacity:
-                self._look_up()
-                break
+        if self._growths != Table.growths:
+            self._look_up()
         return self._columns
 
     def _look_up(self) -> None:
         tables = {name: table for table in reversed(self._tables) for name in table.columns}
         names: tuple[str, ...] = self._kind._fields  # type: ignore[attr-defined]  # a NamedTuple
         self._columns = self._kind(*(getattr(tables[name], name) for name in names))
-        self._capacities = [table.capacity for table in self._tables]
+        self._growths = Table.growths

@@ -78,16 +78,14 @@ class BareSchooling:
     ) -> None:
         """Let every fish think each `every` ticks: 4 as whole minds do, or 1."""
         self.population, self.senses, self.clock, self.every = population, senses, clock, every
-        self.grid = Grid(terrain, senses)
+        self.grid = Grid(population, terrain, senses)
         self._attention = make_attention()
         self._flock_some, self._flock_all = Launch(flock_some), Launch(flock_all)
 
     def __call__(self) -> None:
         """Advance by one tick."""
         number, now, motor = self.population.count, self.clock.now, self.population.motor
-        self.grid.sort(
-            self.population, reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0
-        )
+        self.grid.sort(reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0)
         scene = (self.grid.plan, self.grid.crowd, self.senses, motor.heading, motor.gear)
         if number < SERIAL_BELOW:
             self._flock_some(now, self.every, 0, number, *scene, self._attention, 0)

@@ -18,6 +18,7 @@ from components.ground import Terrain
 from components.kernels import Launch, inlined, loop, row
 from components.mind import Intention
 from components.senses import SenseTable
+from components.table import Columns
 
 REACH: Final = 2.5
 """Body lengths within which fishes tell their neighbours apart in a crowd: a dozen in a school."""
@@ -180,18 +181,9 @@ class Rows(NamedTuple):
     id: Int64s
     species: Int32s
     intention: Int8s
-    phase: Int8s
+    courtship: Int8s
     focus: Int64s
     libido: Float64s
-
-
-def rows_of(population: Population) -> Rows:
-    """Return those columns; stale when the tables grow."""
-    fish, mind = population.fish, population.mind
-    return Rows(
-        fish.position, fish.last_position, fish.rotation, fish.length, fish.id, fish.species,
-        mind.intention, mind.courtship, mind.focus, mind.libido,
-    )  # fmt: skip
 
 
 @inlined
@@ -232,7 +224,7 @@ def _copy_one(k: int, i: int, keys: Int32s, rows: Rows, crowd: Crowd) -> None:
     dz = z - rows.last_position[i, 2]
     crowd.speed[k] = 60.0 * sqrt(dx * dx + dy * dy + dz * dz)
     crowd.length[k], crowd.id[k], crowd.species[k] = rows.length[i], rows.id[i], rows.species[i]
-    crowd.intention[k], crowd.phase[k] = rows.intention[i], rows.phase[i]
+    crowd.intention[k], crowd.phase[k] = rows.intention[i], rows.courtship[i]
     crowd.courting[k] = rows.focus[i] if rows.intention[i] == _MATE else -1
     crowd.ready[k] = rows.libido[i] >= READY
     crowd.row[k], crowd.place[i] = i, k
@@ -295,14 +287,14 @@ def make_crowd(capacity: int, columns: int, kinds: int, squares: int) -> Crowd:
 class Grid:
     """Scratch: the fishes in cell order, made anew each tick by `sort`."""
 
-    def __init__(self, terrain: Terrain, senses: SenseTable) -> None:
-        self.terrain, self.senses = terrain, senses
-        self._counts = np.zeros(len(senses.length), np.int64)
-        self.plan = divide(terrain, senses, self._counts)
+    def __init__(self, population: Population, terrain: Terrain, senses: SenseTable) -> None:
+        self.population, self.terrain, self.senses = population, terrain, senses
+        self._rows = Columns(Rows, population.fish, population.mind)
+        self._planned = -1
+        self.plan = divide(terrain, senses, np.zeros(len(senses.length), np.int64))
         self.crowd = make_crowd(0, 0, 0, 0)
         self.order = self._by_layer = self._tally = np.zeros(0, np.int32)
         self._keys = np.zeros((0, 2), np.int32)
-        self._number = 0
         self._sort_cells = Launch(sort_cells)
         self._copy, self._copy_all = Launch(_copy), Launch(_copy_all)
 
@@ -314,8 +306,6 @@ class Grid:
             room = max(16, 2 * len(self.order), number)
             self.order, self._by_layer = np.zeros(room, np.int32), np.zeros(room, np.int32)
             self._keys = np.zeros((room, 2), np.int32)
-        if number != self._number:
-            self._start_anew(number)
         if plan.layers + 1 > len(self._tally):
             self._tally = np.zeros(2 * plan.layers + 1, np.int32)
         old = (len(crowd.x), len(crowd.first) - 2, crowd.shoal.shape[1])
@@ -327,29 +317,35 @@ class Grid:
 
     def _start_anew(self, number: int) -> None:
         """Forget the last tick's order: rows have moved."""
-        self._number = number
         self.order[:number] = np.arange(number)
 
-    def sort(self, population: Population, reorder: bool = False) -> None:
+    def sort(self, reorder: bool = False) -> None:
         """Sort the living fishes into cells; with `reorder` put their rows in that order too."""
-        fish, number = population.fish, population.count
-        counts = np.bincount(fish.species[:number], minlength=len(self.senses.length))
-        if not np.array_equal(counts, self._counts):
-            self._counts, self.plan = counts, divide(self.terrain, self.senses, counts)
-        self._fit(number)
+        number = self.population.count
+        if self._planned != self.population.changes:
+            self._divide(number)
         if reorder:
             self._start_anew(number)
-            self._order(population)
-            population.reorder(self.order[:number].astype(np.int64))
+            self._order(number)
+            self.population.reorder(self.order[:number].astype(np.int64))
             self._start_anew(number)
-        self._order(population)
+        self._order(number)
         if number < SERIAL_BELOW:
-            self._copy(0, number, number, self.order, self._keys, rows_of(population), self.crowd)
+            self._copy(0, number, number, self.order, self._keys, self._rows(), self.crowd)
         else:
-            self._copy_all(PIECES, number, self.order, self._keys, rows_of(population), self.crowd)
+            self._copy_all(PIECES, number, self.order, self._keys, self._rows(), self.crowd)
 
-    def _order(self, population: Population) -> None:
+    def _divide(self, number: int) -> None:
+        """Plan for the fishes that there are, of each species so many."""
+        self._planned = self.population.changes
+        species = self.population.fish.species[:number]
+        counts = np.bincount(species, minlength=len(self.senses.length))
+        self.plan = divide(self.terrain, self.senses, counts)
+        self._fit(number)
+        self._start_anew(number)
+
+    def _order(self, number: int) -> None:
         self._sort_cells(
-            population.fish.position, population.count, self.plan, self._keys, self._tally,
+            self.population.fish.position, number, self.plan, self._keys, self._tally,
             self._by_layer, self.order, self.crowd.first,
         )  # fmt: skip

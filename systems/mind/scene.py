@@ -1,15 +1,11 @@
 """What minds live in during a tick, and the columns that they read and write."""
 
-from operator import attrgetter
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 from components.arrays import Float32s, Float64s, Int8s, Int32s, Int64s
-from components.fish import FishTable, Population
 from components.ground import Terrain
 from components.habitat import Habitat
 from components.index import Places
-from components.mind import MindTable
-from components.motor import MotorTable
 from components.senses import SenseTable
 from systems.mind.grid import Crowd, Plan
 from systems.mind.sparse import Sparse
@@ -78,17 +74,3 @@ class Minds(NamedTuple):
     gear: Int8s
     urgency: Float64s
     throttle: Float64s
-
-
-_TABLES: Final = {"mind": MindTable, "motor": MotorTable, "fish": FishTable}
-_READ: Final = attrgetter(
-    *(
-        next(f"{table}.{name}" for table, kind in _TABLES.items() if name in kind.columns)
-        for name in Minds._fields
-    )
-)
-
-
-def minds_of(population: Population) -> Minds:
-    """Return those columns; stale when the tables grow."""
-    return Minds(*_READ(population))

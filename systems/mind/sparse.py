@@ -4,7 +4,6 @@ Its cells are as wide as the world is where there are few of a kind, and at leas
 what lies within a cell's width is found in 27 cells, nine runs.
 """
 
-from collections.abc import Sequence
 from math import ceil
 from typing import Final, NamedTuple
 
@@ -12,7 +11,7 @@ import numpy as np
 
 from components.arrays import Float64s, Int32s
 from components.ground import Terrain
-from components.kernels import Launch, inlined, row
+from components.kernels import inlined, row
 
 WANTED: Final = 48
 """How many, at most, lie in 27 cells on average, unless cells would get too narrow."""
@@ -53,24 +52,22 @@ class Sparse(NamedTuple):
     "each which of all is listed, so that no run of cells lists more than `LONGEST_RUN`, (1,)"
 
 
-def no_sparse() -> Sparse:
-    """Return a grid of nothing."""
-    zeros = np.zeros(0)
-    return Sparse(
-        1.0, 1.0, 1, 1, 0, np.zeros(3, np.int32), zeros, zeros, zeros, np.zeros(0, np.int32),
-        np.ones(1, np.int32),
-    )  # fmt: skip
+@row
+def divide_coarsely(
+    radius: float, depth: float, number: int, least: float
+) -> tuple[float, int, int]:
+    """Return a cell's side [m], at least `least` if the world is as wide, cells a side and layers.
 
 
-def divide_coarsely(terrain: Terrain, number: int, least: float) -> tuple[float, int, int]:
-    """Return a cell's side [m], at least `least` if the world is as wide, cells a side and layers."""
-    wide, side = 2.0 * terrain.radius, 1
+    `radius` and `depth` [m] are the world's.
+    """
+    wide, side = 2.0 * radius, 1
     while side < _MOST_SIDE and wide / (side + 1) >= least:
-        layers = max(1, ceil(terrain.depth * side / wide))
+        layers = max(1, ceil(depth * side / wide))
         if 27 * number <= WANTED * side * side * layers:
             break
         side += 1
-    return wide / side, side, max(1, ceil(terrain.depth * side / wide))
+    return wide / side, side, max(1, ceil(depth * side / wide))
 
 
 @inlined
@@ -85,27 +82,37 @@ def _index(sparse: Sparse, x: float, y: float, z: float) -> tuple[int, int, int]
 
 @row
 def sort_sparse(
-    sparse: Sparse, x: Float64s, y: Float64s, z: Float64s, what: Int32s, keys: Int32s
-) -> None:
-    """Put the `number` points that `what` names, in its order, into cells; `keys` is scratch, (capacity,)."""
-    number, first = sparse.number, sparse.first
-    first[: sparse.side * sparse.side * sparse.layers + 2] = 0
+    room: Sparse, depth: float, least: float, number: int,
+    x: Float64s, y: Float64s, z: Float64s, what: Int32s, keys: Int32s,
+) -> tuple[float, int, int, int]:  # fmt: skip
+    """Put `number` points that `what` names, in its order, into cells at least `least` [m] wide.
+
+    Return the cells' side [m], cells a side, layers and `number`, which `room` does not know yet. `depth` [m] is the
+    world's; `keys` is scratch, (capacity,).
+    """
+    cell, side, layers = divide_coarsely(room.extent, depth, number, least)
+    first = room.first
+    sparse = Sparse(
+        cell, room.extent, side, layers, number, first, room.x, room.y, room.z, room.what, room.step
+    )
+    first[: side * side * layers + 2] = 0
     for k in range(number):
         i, j, h = _index(sparse, x[what[k]], y[what[k]], z[what[k]])
-        keys[k] = (i * sparse.side + j) * sparse.layers + h
+        keys[k] = (i * side + j) * layers + h
         first[keys[k] + 2] += 1
-    for cell in range(sparse.side * sparse.side * sparse.layers):
-        first[cell + 2] += first[cell + 1]
+    for at in range(side * side * layers):
+        first[at + 2] += first[at + 1]
     longest = 0
-    for column in range(sparse.side * sparse.side):
-        at = column * sparse.layers
-        longest = max(longest, first[at + sparse.layers + 1] - first[at + 1])
+    for column in range(side * side):
+        at = column * layers
+        longest = max(longest, first[at + layers + 1] - first[at + 1])
     sparse.step[0] = longest // LONGEST_RUN + 1
     for k in range(number):
         at, named = first[keys[k] + 1], what[k]
         first[keys[k] + 1] += 1
-        sparse.x[at], sparse.y[at], sparse.z[at] = x[named], y[named], z[named]
-        sparse.what[at] = named
+        room.x[at], room.y[at], room.z[at] = x[named], y[named], z[named]
+        room.what[at] = named
+    return cell, side, layers, number
 
 
 @inlined
@@ -150,34 +157,25 @@ def list_sparse(
 
 
 class SparseGrid:
-    """Scratch: makes the grid of a few anew each tick."""
+    """Scratch: room for a few, and where they are."""
 
     def __init__(self, terrain: Terrain) -> None:
-        self.terrain = terrain
-        self.sparse = no_sparse()
-        self._keys = np.zeros(0, np.int32)
-        self._sort = Launch(sort_sparse)
-        self._divided: tuple[int, float] = (-1, 0.0)
-        self._division = (1.0, 1, 1)
+        layers = max(1, ceil(terrain.depth * _MOST_SIDE / (2.0 * terrain.radius)))
+        self._first = np.zeros(_MOST_SIDE * _MOST_SIDE * layers + 2, np.int32)
+        self.sparse = Sparse(0.0, terrain.radius, 0, 0, 0, self._first, *_room(0))
 
-    def sort(self, points: Sequence[Float64s], what: Int32s, number: int, least: float) -> Sparse:
-        """Sort the `number` points that `what` names of x, y, z [m]; cells are at least `least` [m] wide."""
-        if self._divided != (number, least):
-            self._divided = number, least
-            self._division = divide_coarsely(self.terrain, number, least)
-        cell, side, layers = self._division
+    def fit(self, number: int) -> None:
+        """Make room for `number` points."""
+        if number > len(self.sparse.what):
+            self.sparse = Sparse(*self.sparse[:5], self._first, *_room(2 * number))
+
+    def divided(self, cell: float, side: int, layers: int, number: int) -> None:
+        """Say how cells are laid out and how many points lie in them, units as in `Sparse`."""
         old = self.sparse
-        cells, room = side * side * layers + 2, len(old.what)
-        if number > room:
-            room = max(2 * room, number)
-            old = old._replace(
-                x=np.zeros(room), y=np.zeros(room), z=np.zeros(room), what=np.zeros(room, np.int32)
-            )
-            self._keys = np.zeros(room, np.int32)
-        if cells > len(old.first):
-            old = old._replace(first=np.zeros(2 * cells, np.int32))
-        self.sparse = old._replace(
-            cell=cell, extent=self.terrain.radius, side=side, layers=layers, number=number
-        )
-        self._sort(self.sparse, points[0], points[1], points[2], what, self._keys)
-        return self.sparse
+        if (cell, side, layers, number) != (old.cell, old.side, old.layers, old.number):
+            self.sparse = Sparse(cell, old.extent, side, layers, number, *old[5:])
+
+
+def _room(number: int) -> tuple[Float64s, Float64s, Float64s, Int32s, Int32s]:
+    x, y, z = np.zeros(number), np.zeros(number), np.zeros(number)
+    return x, y, z, np.zeros(number, np.int32), np.ones(1, np.int32)

@@ -9,9 +9,8 @@ its reason.
 from typing import Final
 
 import numba
-import numpy as np
 
-from components.arrays import Float64s, Int8s, Int32s, Int64s
+from components.arrays import Float64s, Int8s
 from components.chance import WHIM, uniform
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
@@ -23,6 +22,7 @@ from components.kernels import Launch, loop, merged, row
 from components.mind import SUBMARINE, Role, Why
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
+from components.table import Columns
 from systems.mind.act import NONE, act, place_of
 from systems.mind.attention import (
     BATCH,
@@ -32,6 +32,7 @@ from systems.mind.attention import (
     make_attention,
     make_thoughts,
 )
+from systems.mind.few import Few
 from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan, scattered
 from systems.mind.intend import (
     AVOID_FISH,
@@ -51,9 +52,9 @@ from systems.mind.notice import (
     notice_shoals,
     notice_submarine,
 )
-from systems.mind.scene import Minds, Scene, minds_of
+from systems.mind.scene import Minds, Scene
 from systems.mind.shoal import Shoals
-from systems.mind.sparse import Sparse, SparseGrid
+from systems.mind.sparse import Sparse
 from systems.mind.want import curiosity, habits, is_timid, want_mates, want_meals
 
 LATEST_TICKS: Final = 8
@@ -235,37 +236,6 @@ def think_all(
         think_some(scene, begin, end, minds, thoughts, attention, piece)
 
 
-@row
-def _list_fishes(
-    number: int, species: Int32s, ready: Int8s, courting: Int64s, hunts: Int8s, schooling: Int8s,
-    hunters: Int32s, willing: Int32s,
-) -> tuple[int, int]:  # fmt: skip
-    """List, in the order of the crowd, who eats others, and who courts or would of species that do not school.
-
-    Return how many each are; (capacity,) each.
-    """
-    many = few = 0
-    for k in range(number):
-        hunters[many], willing[few] = k, k
-        many += hunts[species[k]] != 0
-        few += ((ready[k] != 0) | (courting[k] >= 0)) & (schooling[species[k]] == 0)
-    return many, few
-
-
-@row
-def _list_edible(
-    number: int, now: int, returns: Int64s, eaten_by: Int64s, there: Int8s, what: Int32s
-) -> int:
-    """List the rows of the food in the water and mark it `there`; return how many. (capacity,) each."""
-    many = 0
-    for k in range(number):
-        edible = returns[k] <= now and eaten_by[k] < 0
-        there[k] = edible
-        what[many] = k
-        many += edible
-    return many
-
-
 class Think:
     """Reads fishes, senses, terrain, submarine, food, habitat and clock; writes minds and the motors' demands.
 
@@ -285,74 +255,34 @@ class Think:
         self.population, self.senses, self.terrain = population, senses, terrain
         self.submarine, self.clock = submarine, clock
         self.food, self.habitat = FoodTable() if food is None else food, habitat
-        self.grid = Grid(terrain, senses)
-        self._hunters, self._meals = SparseGrid(terrain), SparseGrid(terrain)
-        self._willing = SparseGrid(terrain)
+        self.grid = Grid(population, terrain, senses)
+        self.few = Few(terrain, senses, self.food, clock)
         self._attention, self._thoughts = make_attention(), make_thoughts()
-        self._few, self._mates = np.zeros(1, np.int32), np.zeros(1, np.int32)
-        self._there = np.zeros(1, np.int8)
         self._shoals = Shoals()
+        self._minds = Columns(Minds, population.mind, population.motor, population.fish)
+        self._daylight = Launch(daylight)
         self._think_some, self._think_all = Launch(think_some), Launch(think_all)
-        self._list_fishes, self._list_edible = Launch(_list_fishes), Launch(_list_edible)
 
     def __call__(self) -> None:
         """Advance the minds by one tick."""
-        number, now = self.population.count, self.clock.now
+        number, now, grid = self.population.count, self.clock.now, self.grid
         if number == 0:
             return
-        self.grid.sort(
-            self.population, reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0
-        )
-        self._shoals.sum(self.grid.plan, self.senses.schooling, self.grid.crowd, number)
-        scene, minds = self._scene(number), minds_of(self.population)
+        grid.sort(reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0)
+        self._shoals.sum(grid.plan, self.senses.schooling, grid.crowd, number)
+        self.few.sort(grid.crowd, number, 3.0 * grid.plan.cell)
+        scene, minds = self._scene(now), self._minds()
         if number < SERIAL_BELOW:
             self._think_some(scene, 0, number, minds, self._thoughts, self._attention, 0)
         else:
             self._think_all(PIECES, *scene, number, minds, self._thoughts, self._attention)
 
-    def _scene(self, number: int) -> Scene:
+    def _scene(self, now: int) -> Scene:
         """Return the world as minds find it this tick."""
-        food, now = self.food, self.clock.now
-        self._fit(number)
-        hunting, willing = self._few_fishes(number)
-        edible = self._edible()
+        few, grid, submarine, larder = self.few, self.grid, self.submarine, self.few.larder
         return Scene(
-            now, int(self.clock.seed[0]), daylight(self.habitat, now), self.grid.plan,
-            self.grid.crowd, self.senses, self.terrain, self.habitat, hunting, edible, willing,
-            self.population.index.places, self.submarine.position,
-            self.submarine.velocity, self.submarine.count, food.position, food.last_position,
-            self._there,
+            now, int(self.clock.seed[0]), self._daylight(self.habitat, now), grid.plan, grid.crowd,
+            self.senses, self.terrain, self.habitat, few.hunters.sparse, few.edible.sparse,
+            few.willing.sparse, self.population.index.places, submarine.position, submarine.velocity,
+            submarine.count, larder.position, larder.last_position, few.there,
         )  # fmt: skip
-
-    def _fit(self, number: int) -> None:
-        """Make room in the scratch lists for `number` fishes and the food."""
-        if max(number, self.food.count) >= len(self._few):
-            self._few = np.zeros(2 * max(number, self.food.count), np.int32)
-            self._mates = np.zeros_like(self._few)
-        if self.food.count >= len(self._there):
-            self._there = np.zeros(2 * self.food.count, np.int8)
-
-    def _few_fishes(self, number: int) -> tuple[Sparse, Sparse]:
-        """Return the grids of the fishes that eat others, and of those that may be mates of who seeks one."""
-        crowd, senses = self.grid.crowd, self.senses
-        hunting, courting = self._list_fishes(
-            number, crowd.species, crowd.ready, crowd.courting, senses.hunts, senses.schooling,
-            self._few, self._mates,
-        )  # fmt: skip
-        return (
-            self._sort_fishes(self._hunters, self._few, hunting),
-            self._sort_fishes(self._willing, self._mates, courting),
-        )
-
-    def _sort_fishes(self, grid: SparseGrid, what: Int32s, many: int) -> Sparse:
-        crowd = self.grid.crowd
-        return grid.sort((crowd.x, crowd.y, crowd.z), what, many, 3.0 * self.grid.plan.cell)
-
-    def _edible(self) -> Sparse:
-        """Return the grid of the food in the water."""
-        food, now = self.food, self.clock.now
-        many = self._list_edible(
-            food.count, now, food.returns, food.eaten_by, self._there, self._few
-        )
-        x, y, z = np.ascontiguousarray(food.position[: food.count].T)
-        return self._meals.sort((x, y, z), self._few, many, 3.0 * self.grid.plan.cell)

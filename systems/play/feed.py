@@ -302,8 +302,9 @@ class Feed:
         places = self.population.index.places
         scratch = self._held, self._holder, self._busy, self._swallowed
         number = self._ingest(mouths, count, larder, food, places, self.senses, now, *scratch)
-        for identity in sorted(self._swallowed[:number].tolist()):
-            self.spawn.lose(identity)
+        if number:
+            for identity in sorted(self._swallowed[:number].tolist()):
+                self.spawn.lose(identity)
 
     def _room(self, capacity: int) -> None:
         self._held = np.zeros(capacity, np.int64)

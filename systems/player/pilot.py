@@ -6,16 +6,17 @@ full stop. Each is a first-order lag, v <- v + (wanted - v) dt / tau: no exponen
 everywhere.
 """
 
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from components.arrays import Float64s, Int32s
 from components.clock import TICK_SECONDS
 from components.command import FULL, Command, CommandTable
-from components.kernels import row
+from components.kernels import Launch, row
 from components.possession import AvatarTable
 from components.submarine import HULL_RADIUS, SubmarineTable
+from components.table import Columns
 from components.terrain import Terrain, confine
 from components.trigonometry import DEGREE, cosine, sine
 
@@ -33,7 +34,22 @@ THROTTLE_RATE: Final = 0.9
 _TAU_HULL: Final = 0.9
 _TAU_STOP: Final = 0.35
 _TAU_TURN: Final = 0.22
-_UNMANNED: Final = np.array(Command(stop=1), np.int32)
+_UNMANNED: Final = np.array([Command(stop=1)], np.int32)
+
+
+class Ship(NamedTuple):
+    """The columns of the submarine that it moves by."""
+
+    position: Float64s
+    velocity: Float64s
+    yaw: Float64s
+    pitch: Float64s
+    yaw_rate: Float64s
+    pitch_rate: Float64s
+    throttle: Float64s
+    last_position: Float64s
+    last_yaw: Float64s
+    last_pitch: Float64s
 
 
 @row
@@ -101,6 +117,18 @@ def advance(position: Float64s, velocity: Float64s, ship: int, terrain: Terrain)
         velocity[ship, 2] = (position[ship, 2] - before_z) / TICK_SECONDS
 
 
+@row
+def steer(ship: Ship, commands: Int32s, terrain: Terrain) -> None:
+    """Move the submarine by one tick under the first row of `commands`, (n, 10)."""
+    orders = commands[0]
+    for axis in range(3):
+        ship.last_position[0, axis] = ship.position[0, axis]
+    ship.last_yaw[0], ship.last_pitch[0] = ship.yaw[0], ship.pitch[0]
+    turn(orders, ship.yaw, ship.pitch, ship.yaw_rate, ship.pitch_rate, 0)
+    drive(orders, ship.throttle, ship.velocity, ship.yaw, ship.pitch, 0)
+    advance(ship.position, ship.velocity, 0, terrain)
+
+
 class Pilot:
     """Reads commands, terrain and whether the player is a fish; writes the submarine, which stands while unmanned."""
 
@@ -115,14 +143,9 @@ class Pilot:
         self.avatar = avatar
         self.commands = commands
         self.terrain = terrain
+        self._ship, self._steer = Columns(Ship, submarine), Launch(steer)
 
     def __call__(self) -> None:
         """Move the submarine by one tick."""
-        ship = self.submarine
-        orders = _UNMANNED if self.avatar.attached else self.commands.now[0]
-        ship.last_position[0] = ship.position[0]
-        ship.last_yaw[0] = ship.yaw[0]
-        ship.last_pitch[0] = ship.pitch[0]
-        turn(orders, ship.yaw, ship.pitch, ship.yaw_rate, ship.pitch_rate, 0)
-        drive(orders, ship.throttle, ship.velocity, ship.yaw, ship.pitch, 0)
-        advance(ship.position, ship.velocity, 0, self.terrain)
+        orders = _UNMANNED if self.avatar.attached else self.commands.now
+        self._steer(self._ship(), orders, self.terrain)

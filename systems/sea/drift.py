@@ -14,7 +14,7 @@ import numba
 import numpy as np
 
 from components import chance
-from components.arrays import Float64s, Int8s, Int32s, Int64s
+from components.arrays import Float64s, Int32s, Int64s
 from components.clock import TICK_SECONDS, Clock
 from components.field import Field, field_of, flow_near
 from components.fish import Population
@@ -23,7 +23,14 @@ from components.kernels import Launch, inlined, loop, row
 from components.scatter import place
 from components.senses import SenseTable
 from components.singularity import SingularityTable
-from components.sphere_grid import SphereGrid, empty, list_spheres, lists_none, sphere_grid
+from components.sphere_grid import (
+    SphereGrid,
+    empty,
+    fill_lists,
+    list_spheres,
+    lists_none,
+    sphere_grid,
+)
 from components.table import Columns
 from components.terrain import Terrain, berth, confine
 
@@ -244,10 +251,11 @@ def drift_few(
 
 
 @row
-def _list_felt(reach: Float64s, intensity: Float64s, there: Int8s, felt: Float64s) -> None:
-    """Write how far [m] each singularity is felt now, (n,)."""
+def _list_felt(field: Field, grid: SphereGrid, felt: Float64s) -> int:
+    """Write how far [m] each singularity is felt now, (n,), and list them; return what `fill_lists` does."""
     for k in range(len(felt)):
-        felt[k] = reach[k] if there[k] != 0 and intensity[k] != 0.0 else 0.0
+        felt[k] = field.reach[k] if field.there[k] != 0 and field.intensity[k] != 0.0 else 0.0
+    return fill_lists(grid, field.position, felt)
 
 
 class Drift:
@@ -298,8 +306,8 @@ class Drift:
         if self._size != (self.singularities.count, self.singularities.capacity):
             self._look_up()
         field, felt = self._field, self._felt
-        self._list_felt(field.reach, field.intensity, field.there, felt)
-        self._grid = list_spheres(self._grid, field.position, felt)
+        if self._list_felt(field, self._grid, felt) > len(self._grid.listed):
+            self._grid = list_spheres(self._grid, field.position, felt)
         return Water(field, self._grid, self.clock.now)
 
     def plankton(self) -> Plankton:

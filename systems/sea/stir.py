@@ -4,7 +4,7 @@ Behind the submarine's propeller stands a jet as strong as the engine is set, th
 way. A singularity that a species carries is on its fish of the lowest id, and on the next one when that is gone.
 """
 
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.clock import TICK_SECONDS, Clock
 from components.fish import Population
 from components.index import Places, row_of
-from components.kernels import row
+from components.kernels import Launch, row
 from components.singularity import (
     FREE,
     NOBODY,
@@ -23,6 +23,7 @@ from components.singularity import (
     play_tracks,
 )
 from components.submarine import SubmarineTable
+from components.table import Columns
 from components.trigonometry import cosine, sine
 
 WASH: Final = 1.6
@@ -31,6 +32,39 @@ WASH_REACH: Final = 2.0
 """[m] of the wash around its middle."""
 ASTERN: Final = (-2.6, 0.0, 0.0)
 """[m] from the cockpit's eye to that middle, in the submarine's axes."""
+
+
+class Stirred(NamedTuple):
+    """The columns of singularities that stirring reads and writes."""
+
+    position: Float64s
+    axis: Float64s
+    intensity: Float64s
+    attached: Int64s
+    carrier: Int32s
+    offset: Float64s
+    carried_axis: Float64s
+    drive: Float64s
+    there: Int8s
+    track: Int32s
+
+
+class Carriers(NamedTuple):
+    """The columns of fishes."""
+
+    id: Int64s
+    species: Int32s
+    position: Float64s
+    rotation: Float64s
+
+
+class Hull(NamedTuple):
+    """The columns of the submarine."""
+
+    position: Float64s
+    yaw: Float64s
+    pitch: Float64s
+    throttle: Float64s
 
 
 def wash(table: SingularityTable) -> None:
@@ -52,16 +86,10 @@ def turned(axes: Float64s, x: float, y: float, z: float) -> tuple[float, float, 
 
 
 @row
-def _ride(
-    k: int,
-    place: Float64s,
-    axes: Float64s,
-    offset: Float64s,
-    carried_axis: Float64s,
-    position: Float64s,
-    axis: Float64s,
-) -> None:
+def _ride(k: int, place: Float64s, axes: Float64s, stirred: Stirred) -> None:
     """Put singularity k where its carrier at `place` [m], (3,), with its `axes`, (3, 3), has it."""
+    offset, carried_axis = stirred.offset, stirred.carried_axis
+    position, axis = stirred.position, stirred.axis
     x, y, z = turned(axes, offset[k, 0], offset[k, 1], offset[k, 2])
     position[k, 0], position[k, 1], position[k, 2] = place[0] + x, place[1] + y, place[2] + z
     axis[k, 0], axis[k, 1], axis[k, 2] = turned(
@@ -81,56 +109,19 @@ def lowest_of(species: int, kinds: Int32s, ids: Int64s, count: int) -> int:
 
 @row
 def ride_fishes(
-    attached: Int64s,
-    carrier: Int32s,
-    offset: Float64s,
-    carried_axis: Float64s,
-    position: Float64s,
-    axis: Float64s,
-    there: Int8s,
-    count: int,
-    places: Places,
-    kinds: Int32s,
-    ids: Int64s,
-    place: Float64s,
-    rotation: Float64s,
+    stirred: Stirred, number: int, fishes: Carriers, count: int, places: Places
 ) -> None:
-    """Let those of `attached`, (n,), that fishes carry go along; `count` fishes live."""
-    for k in range(len(attached)):
+    """Let those of `number` singularities that fishes carry go along; `count` fishes live."""
+    attached, carrier = stirred.attached, stirred.carrier
+    for k in range(number):
         if carrier[k] >= 0 and row_of(places, attached[k]) < 0:
-            attached[k] = lowest_of(carrier[k], kinds, ids, count)
+            attached[k] = lowest_of(carrier[k], fishes.species, fishes.id, count)
         if attached[k] == FREE or attached[k] == SUBMARINE:
             continue
         i = row_of(places, attached[k])
-        there[k] = 1 if i >= 0 else 0
+        stirred.there[k] = 1 if i >= 0 else 0
         if i >= 0:
-            _ride(k, place[i], rotation[i], offset, carried_axis, position, axis)
-
-
-@row
-def ride_submarine(
-    attached: Int64s,
-    drive: Float64s,
-    offset: Float64s,
-    carried_axis: Float64s,
-    position: Float64s,
-    axis: Float64s,
-    intensity: Float64s,
-    there: Int8s,
-    ships: int,
-    place: Float64s,
-    throttle: Float64s,
-    axes: Float64s,
-) -> None:
-    """Let those that the submarine carries go along; the engine drives what it drives. `axes`: the hull's, (3, 3)."""
-    for k in range(len(attached)):
-        if attached[k] != SUBMARINE:
-            continue
-        there[k] = 1 if ships > 0 else 0
-        if ships > 0:
-            _ride(k, place[0], axes, offset, carried_axis, position, axis)
-            if drive[k] != 0.0:
-                intensity[k] = drive[k] * throttle[0]
+            _ride(k, fishes.position[i], fishes.rotation[i], stirred)
 
 
 @row
@@ -140,6 +131,34 @@ def hull_axes(yaw: float, pitch: float, axes: Float64s) -> None:
     axes[0, 0], axes[1, 0], axes[2, 0] = level * c, level * s, lift
     axes[0, 1], axes[1, 1], axes[2, 1] = -lift * c, -lift * s, level
     axes[0, 2], axes[1, 2], axes[2, 2] = s, -c, 0.0
+
+
+@row
+def ride_submarine(stirred: Stirred, number: int, hull: Hull, ships: int, axes: Float64s) -> None:
+    """Let those that the submarine carries go along; the engine drives what it drives. `axes`: scratch, (3, 3)."""
+    if ships > 0:
+        hull_axes(hull.yaw[0], hull.pitch[0], axes)
+    for k in range(number):
+        if stirred.attached[k] != SUBMARINE:
+            continue
+        stirred.there[k] = 1 if ships > 0 else 0
+        if ships > 0:
+            _ride(k, hull.position[0], axes, stirred)
+            if stirred.drive[k] != 0.0:
+                stirred.intensity[k] = stirred.drive[k] * hull.throttle[0]
+
+
+@row
+def stir(
+    stirred: Stirred, number: int, keys: KeyFrames, seconds: float, hull: Hull, ships: int, axes: Float64s,
+    fishes: Carriers, count: int, places: Places,
+) -> None:  # fmt: skip
+    """Bring `number` singularities where they are at a time [s]; `axes` (3, 3) is scratch."""
+    play_tracks(
+        keys, stirred.track, stirred.attached, stirred.position, stirred.intensity, number, seconds
+    )
+    ride_submarine(stirred, number, hull, ships, axes)
+    ride_fishes(stirred, number, fishes, count, places)
 
 
 class Stir:
@@ -155,21 +174,14 @@ class Stir:
     ) -> None:
         self.singularities, self.keys = singularities, keys
         self.submarine, self.population, self.clock = submarine, population, clock
-        self._axes = np.zeros((3, 3))
+        self._stirred, self._hull = Columns(Stirred, singularities), Columns(Hull, submarine)
+        self._fishes = Columns(Carriers, population.fish)
+        self._axes, self._stir = np.zeros((3, 3)), Launch(stir)
 
     def __call__(self) -> None:
         """Bring all singularities where they are in this tick."""
-        table, ship, fish = self.singularities, self.submarine, self.population.fish
-        play_tracks(table, self.keys, self.clock.now * TICK_SECONDS)
-        attached = table.attached[: table.count]
-        if ship.count:
-            hull_axes(float(ship.yaw[0]), float(ship.pitch[0]), self._axes)
-        ride_submarine(
-            attached, table.drive, table.offset, table.carried_axis, table.position, table.axis,
-            table.intensity, table.there, ship.count, ship.position, ship.throttle, self._axes,
-        )  # fmt: skip
-        ride_fishes(
-            attached, table.carrier, table.offset, table.carried_axis, table.position, table.axis,
-            table.there, self.population.count, self.population.index.places, fish.species,
-            fish.id, fish.position, fish.rotation,
+        people, number = self.population, self.singularities.count
+        self._stir(
+            self._stirred(), number, self.keys, self.clock.now * TICK_SECONDS, self._hull(),
+            self.submarine.count, self._axes, self._fishes(), people.count, people.index.places,
         )  # fmt: skip

@@ -183,7 +183,7 @@ class Reference:
 
     def _hunters(self, me: Body, target: int) -> tuple[list[tuple[float, Body]], float, int]:
         sense, kind, hunters, when, who = self.sense, me.species, [], NOBODY, -1
-        far = min(self.world.habitat.visibility, self.think._hunters.sparse.cell)
+        far = min(self.world.habitat.visibility, self.think.few.hunters.sparse.cell)
         for other in self.bodies:
             if not sense.hunts[other.species] or other.id == me.id:
                 continue
@@ -328,7 +328,7 @@ class Reference:
                 return prey, far
         if not sense.grazes[kind] or not self.food:
             return -1, NOBODY
-        reach = min(1.5 * sense.sight[kind], self.think._meals.sparse.cell)
+        reach = min(1.5 * sense.sight[kind], self.think.few.edible.sparse.cell)
 
         def square(k: int) -> float:
             d = offset(me.at, self.food[k])
@@ -358,7 +358,7 @@ class Reference:
         return self._seek_mate(me)
 
     def _seek_mate(self, me: Body) -> tuple[int, float]:
-        far = min(self.world.habitat.visibility, self.think._willing.sparse.cell)
+        far = min(self.world.habitat.visibility, self.think.few.willing.sparse.cell)
         sight, best, least = self.sense.sight[me.species], -1, far * far
         for other in self.bodies:
             d = offset(me.at, other.at)

@@ -34,7 +34,7 @@ def test_neighbours_are_those_of_brute_force(
 ) -> None:
     scene = pond.Pond(sardines, tangs, spread=spread)
     grid, attention = scene.think.grid, make_attention()
-    grid.sort(scene.population)
+    grid.sort()
     plan, crowd = grid.plan, grid.crowd
     several = 0
     for place in range(0, sardines + tangs, 7):
@@ -51,7 +51,7 @@ def test_neighbours_are_those_of_brute_force(
 def test_every_fish_stands_in_its_column_once(pond: ModuleType) -> None:
     scene = pond.Pond(300, 50, spread=5.0)
     grid = scene.think.grid
-    grid.sort(scene.population)
+    grid.sort()
     crowd, side = grid.crowd, grid.plan.columns
     assert sorted(crowd.row[:350].tolist()) == list(range(350))
     assert crowd.first[0] == 0
@@ -66,7 +66,7 @@ def test_every_fish_stands_in_its_column_once(pond: ModuleType) -> None:
 
 def test_shoals_count_the_schooling_alone(pond: ModuleType) -> None:
     scene = pond.Pond(120, 30, spread=4.0)
-    scene.think.grid.sort(scene.population)
+    scene.think.grid.sort()
     Shoals().sum(scene.think.grid.plan, scene.senses.schooling, scene.think.grid.crowd, 150)
     squares = scene.think.grid.plan.squares**2
     numbers = scene.think.grid.crowd.shoal[:, :squares, 0].sum(axis=1)

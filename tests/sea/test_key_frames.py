@@ -66,7 +66,7 @@ def test_tracks_move_what_is_free_and_charge_all() -> None:
     keys = pack_tracks([Track(SECONDS, PLACES, PHIS), Track([0.0], [(9.0, 9.0, 9.0)], [8.0])])
     table = SingularityTable(3)
     table.track[:3], table.attached[:3] = (0, 1, -1), (FREE, SUBMARINE, FREE)
-    play_tracks(table, keys, 1.0)
+    play_tracks(keys, table.track, table.attached, table.position, table.intensity, 3, 1.0)
     assert table.position[:3].tolist() == [[2.0, 0.0, 1.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
     assert table.intensity[:3].tolist() == [-2.0, 8.0, 0.0]
 
