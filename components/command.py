@@ -1,5 +1,6 @@
 """What the player orders in one tick, quantised at input so that a replay holds it exactly (DESIGN 7)."""
 
+from struct import pack_into
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -40,6 +41,10 @@ BUTTONS: Final = ("stop", "photograph", "become", "eat", "hide", "view")
 """The orders that are 0 or 1; the others are axes."""
 
 
+_INTEGERS: Final = f"={len(Command._fields)}i"
+"""How a row of the table lies in memory."""
+
+
 class CommandTable(Table):
     """One row: the orders of this tick and the one before, as integers in `Command`'s order."""
 
@@ -53,8 +58,8 @@ class CommandTable(Table):
 
     def give(self, command: Command) -> None:
         """Take the orders of the tick that begins."""
-        self.before[0] = self.now[0]
-        self.now[0] = command
+        self.before[:] = self.now
+        pack_into(_INTEGERS, self.now.data, 0, *command)
 
     def order(self, name: str) -> int:
         """Return what is ordered this tick under a name of `Command`."""

@@ -12,7 +12,7 @@ from components.camera import VIEWFINDER_ASPECT, VIEWFINDER_SLOPE, Camera, camer
 from components.clock import TICKS_PER_SECOND, Clock
 from components.command import CommandTable
 from components.fish import Population
-from components.kernels import row
+from components.kernels import Launch, row
 from components.objective import ObjectiveTable, Photograph
 from components.possession import AvatarTable
 from components.submarine import SubmarineTable
@@ -101,6 +101,7 @@ class Judge:
         self.avatar = avatar
         self.terrain = terrain
         self.clock = clock
+        self._count_framed = Launch(count_framed)
 
     def __call__(self) -> None:
         """Judge a photograph taken this tick; ten times a second say what one would hold."""
@@ -116,7 +117,7 @@ class Judge:
 
     def _count(self, goal: Photograph, camera: Camera) -> int:
         fish = self.population.fish
-        return count_framed(
+        return self._count_framed(
             fish.position,
             fish.species,
             fish.count,
