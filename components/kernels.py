@@ -17,7 +17,7 @@ from collections.abc import Callable
 from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, Final, Generic, ParamSpec, TypeVar, cast
+from typing import Any, Final, Generic, TypeVar, TypeVarTuple, cast
 
 import numba
 import numpy as np
@@ -28,7 +28,7 @@ from platformdirs import user_cache_path
 from components.kernel_dispatch import CalleeCacheImpl, Kernel, entry
 
 _Kernel = TypeVar("_Kernel", bound=Callable[..., Any])
-_Told = ParamSpec("_Told")
+_Told = TypeVarTuple("_Told")
 _Given = TypeVar("_Given")
 _FIRST_PARTY: Final = rb"(?:components|systems|reefgame|tools)"
 _IMPORT: Final = re.compile(
@@ -191,23 +191,23 @@ def _compile(function: _Kernel, kind: str, **options: Any) -> _Kernel:
     return cast(_Kernel, compiled)
 
 
-class Launch(Generic[_Told, _Given]):
+class Launch(Generic[*_Told, _Given]):
     """A kernel as a system calls it, always with arguments of the same types: numba looks at them once.
 
     It looks at every array of every call else: 50 us for the hundred that minds read, while other threads wait. So
     arrays and tuples should be the same objects from call to call; the last are kept alive.
     """
 
-    def __init__(self, kernel: Callable[_Told, _Given]) -> None:
+    def __init__(self, kernel: Callable[[*_Told], _Given]) -> None:
         self._kernel = kernel
         self._entry: Callable[..., _Given] | None = None
         self._kept: tuple[list[Any], ...] = ()
 
-    def __call__(self, *args: _Told.args, **kwargs: _Told.kwargs) -> _Given:
+    def __call__(self, *args: *_Told) -> _Given:
         """Run the kernel."""
         if self._entry is None:
             self._entry = self._find(args)
-        return self._entry(*args, *self._kept, **kwargs)
+        return self._entry(*args, *self._kept)
 
     def _find(self, args: tuple[Any, ...]) -> Callable[..., _Given]:
         """Return what runs the kernel, and have words of memory for it."""
