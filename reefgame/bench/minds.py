@@ -240,6 +240,10 @@ def _each(world: World) -> dict[str, float]:
 
 def _memory() -> Case:
     """Return what 100,000 fishes take over an empty world, whole processes measured."""
-    empty, full = (peak_of(_LIVED.replace("FISHES", str(fishes))) for fishes in (9, 100_000))
+    # The first may have kernels to compile, which takes more than all its fishes.
+    empty, full = (
+        min(peak_of(_LIVED.replace("FISHES", str(fishes))) for _ in range(2))
+        for fishes in (9, 100_000)
+    )
     a_fish = (full - empty) * 2**20 / 100_000
     return Case("memory fishes=100000", a_fish, "B a fish", bound="<= 1500")
