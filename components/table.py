@@ -10,6 +10,7 @@ A table declares its columns in the class body and documents each one's unit and
 Only rows below `count` live. Arrays of columns go stale when the table grows; `Columns` hands kernels those that hold.
 """
 
+from math import prod
 from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -73,9 +74,9 @@ class Table:
 
     def reorder(self, order: Int64s) -> None:
         """Put row `order[i]` at i, for a permutation `order` of shape (count,)."""
-        for name in self.columns:
+        for name, spec in self.columns.items():
             # A number of each row at a time: whole rows twice over would be what a large world's memory peaks with.
-            for values in self.live(name).reshape(self.count, -1).T:
+            for values in self.live(name).reshape(self.count, prod(spec.shape)).T:
                 values[:] = values[order]
 
     def live(self, name: str) -> AnyArray:

@@ -26,14 +26,21 @@ class Case:
         return {key: value for key, value in asdict(self).items() if key != "bound"}
 
 
-def in_turn(sides: tuple[Callable[[], None], ...], rounds: int = 7) -> tuple[float, ...]:
-    """Return the median seconds of each side over `rounds`, the sides run in turn after one warm-up."""
+def in_turn(
+    sides: tuple[Callable[[], None], ...], rounds: int = 7, least: float = 0.0
+) -> tuple[float, ...]:
+    """Return the median seconds of each side over `rounds`, the sides run in turn after one warm-up.
+
+    In its turn a side runs again and again for `least` seconds, lest a short one find caches as the other left them.
+    """
     times: list[list[float]] = [[] for _ in sides]
     for side in sides:
         side()
     for _ in range(rounds):
         for side, found in zip(sides, times, strict=True):
-            start = perf_counter()
-            side()
-            found.append(perf_counter() - start)
+            start, runs = perf_counter(), 0
+            while runs == 0 or perf_counter() - start < least:
+                side()
+                runs += 1
+            found.append((perf_counter() - start) / runs)
     return tuple(median(found) for found in times)

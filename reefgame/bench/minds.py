@@ -42,6 +42,7 @@ _SHARES: Final = {Role.PREY: 0.7, Role.PREDATOR: 0.01}
 _BOUNDS: Final = {10_000: 8.0, 50_000: 1.5, 100_000: 0.8}
 _WARM_TICKS: Final = 3 * TICKS_PER_SECOND
 _TREE_ROUNDS: Final = 5
+_TURN_SECONDS: Final = 0.05
 _LIVED: Final = """
 from reefgame.bench.minds import reef
 world = reef(FISHES)
@@ -163,7 +164,7 @@ def _schooling(world: World) -> Iterator[Case]:
     def tree() -> None:
         schooling_step(place, course, kind, radius, spacing, np.ones(len(radius), np.bool_))
 
-    ours, theirs = in_turn((bare, tree), _TREE_ROUNDS)
+    ours, theirs = in_turn((bare, tree), _TREE_ROUNDS, _TURN_SECONDS)
     case, share = f"fishes={fishes} threads=1", 1e9 / fishes
     yield Case(
         f"part=schooling against=ckdtree {case}",
