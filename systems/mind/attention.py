@@ -41,13 +41,13 @@ class Attention(NamedTuple):
     kinds: Int32s
     "their species, (PIECES, MOST_AROUND)"
     square: Float64s
-    "squared distances [m^2] to them, (PIECES, MOST_AROUND + 1)"
+    "squared distances [m^2] to them; later to the hunters that eat it, (PIECES, MOST_AROUND + 1)"
     marks: Int32s
     "1 for who is seen and of its kind, and 2 for who is seen and may cross its way, (PIECES, MOST_AROUND)"
     company: Int32s
-    "which of them are of its kind and seen, (PIECES, MOST_AROUND + 1)"
+    "which of them are of its kind and seen; later the places of hunters that eat it, (PIECES, MOST_AROUND + 1)"
     others: Int32s
-    "which of them are seen and may cross its way, (PIECES, MOST_AROUND + 1)"
+    "which of them are seen and may cross its way; later the places of large hunters, (PIECES, MOST_AROUND + 1)"
     coarse_runs: Int32s
     "begin and end of the runs of hunters, food or mates around a point, (PIECES, 32)"
     hunters_around: Int32s

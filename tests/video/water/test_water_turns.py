@@ -36,14 +36,19 @@ def _outing(held: dict[Pattern, Segment], turns: list[Segment]) -> Segment:
     )
 
 
+def _with_two_turns(body: Body, held: dict[Pattern, Segment]) -> Film:
+    """Return a film of a gradual turn to the left and a sharp one to the right."""
+    right = mirrored(held[Pattern.TURN_SHARP_LEFT], Pattern.TURN_SHARP_RIGHT)
+    outing = _outing(held, [held[Pattern.TURN_LEFT], right])
+    return filmed(body, outing, frames=len(outing.shape) - 6)
+
+
 @pytest.mark.parametrize("name", ["sardine", "blue_tang"])
 def test_a_gradual_and_a_sharp_turn_are_found(
     body: Callable[[str], Body], segments: Segments, name: str
 ) -> None:
     held = segments(name)
-    right = mirrored(held[Pattern.TURN_SHARP_LEFT], Pattern.TURN_SHARP_RIGHT)
-    outing = _outing(held, [held[Pattern.TURN_LEFT], right])
-    shown = filmed(body(name), outing, frames=len(outing.shape) - 6)
+    shown = _with_two_turns(body(name), held)
     cuts, cruise, _ = gaits_of(shown, bouts(shown), body(name))
     found = {cut.segment.pattern: cut.segment for cut in cuts}
     assert set(found) == {Pattern.SWIM_MEDIUM, Pattern.TURN_LEFT, Pattern.TURN_SHARP_LEFT}
@@ -80,9 +85,7 @@ def test_turns_in_a_current_are_those_through_the_water(
     body: Callable[[str], Body], segments: Segments, name: str
 ) -> None:
     held = segments(name)
-    right = mirrored(held[Pattern.TURN_SHARP_LEFT], Pattern.TURN_SHARP_RIGHT)
-    outing = _outing(held, [held[Pattern.TURN_LEFT], right])
-    shown = filmed(body(name), outing, frames=len(outing.shape) - 6)
+    shown = _with_two_turns(body(name), held)
     carried = _in_a_flume(shown, len(held[Pattern.SWIM_MEDIUM].shape))
     still, flume = (gaits_of(film, bouts(film), body(name)) for film in (shown, carried))
     assert (still.cruise.assumed, flume.cruise.assumed) == (False, True)
