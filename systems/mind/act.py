@@ -24,7 +24,7 @@ from systems.mind.behave.leave import leave
 from systems.mind.behave.mate import JILTED, MATED, mate
 from systems.mind.behave.school import heed, roam, school
 from systems.mind.behave.wander import depart, nearest_home, visit, wander
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 from systems.mind.intend import (
     AVOID_FISH,
     AVOID_OBSTACLE,

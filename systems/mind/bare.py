@@ -14,8 +14,9 @@ from components.senses import SenseTable
 from components.vector import point
 from systems.mind.attention import Attention, make_attention
 from systems.mind.behave.school import keep_company
+from systems.mind.crowd import Crowd
 from systems.mind.gather import gather, reach_of
-from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan, scattered
+from systems.mind.grid import PIECES, SERIAL_BELOW, Grid, Plan, scattered
 from systems.mind.perceive import nearest_of_kind, see_around
 
 

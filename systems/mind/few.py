@@ -11,7 +11,7 @@ from components.ground import Terrain
 from components.kernels import Launch, row
 from components.senses import SenseTable
 from components.table import Columns
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 from systems.mind.sparse import Sparse, SparseGrid, sort_sparse
 
 

@@ -5,7 +5,8 @@ from typing import Final
 from components.arrays import Int32s, Int64s
 from components.kernels import inlined, row
 from systems.mind.attention import MOST_AROUND, Attention
-from systems.mind.grid import REACH, Crowd, Plan
+from systems.mind.crowd import Crowd
+from systems.mind.grid import REACH, Plan
 
 _SHORT: Final = 24
 _FEW: Final = 160

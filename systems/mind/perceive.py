@@ -14,7 +14,7 @@ from components.arrays import Float64s, Int8s, Int32s, Int64s
 from components.ground import Terrain, clearance
 from components.kernels import inlined
 from systems.mind.attention import MOST_AROUND, NEIGHBOURS, NO_DANGER, Attention
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 
 LATERAL_LINE: Final = 0.7
 """[BL] within which a fish feels others that it does not see."""

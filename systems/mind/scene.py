@@ -7,7 +7,8 @@ from components.ground import Terrain
 from components.habitat import Habitat
 from components.index import Places
 from components.senses import SenseTable
-from systems.mind.grid import Crowd, Plan
+from systems.mind.crowd import Crowd
+from systems.mind.grid import Plan
 from systems.mind.sparse import Sparse
 
 

@@ -15,8 +15,8 @@ from components.sightline import in_sight
 from components.trigonometry import arc
 from systems.mind.attention import NEIGHBOURS, Attention
 from systems.mind.beware import can_swallow
+from systems.mind.crowd import Crowd
 from systems.mind.gather import layers_between
-from systems.mind.grid import Crowd
 from systems.mind.perceive import in_view, insert
 from systems.mind.scene import Scene
 from systems.mind.sparse import LONGEST_RUN, Sparse, find_sparse_runs

@@ -11,7 +11,8 @@ import numpy as np
 
 from components.arrays import Float64s, Int8s
 from components.kernels import Launch, inlined, loop, row
-from systems.mind.grid import SERIAL_BELOW, Crowd, Plan
+from systems.mind.crowd import Crowd
+from systems.mind.grid import SERIAL_BELOW, Plan
 
 FIXED: Final = 65536.0
 """Whole numbers to a metre, or to a unit of heading, in the sums."""

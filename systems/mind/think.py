@@ -32,8 +32,9 @@ from systems.mind.attention import (
     make_attention,
     make_thoughts,
 )
+from systems.mind.crowd import Crowd
 from systems.mind.few import Few
-from systems.mind.grid import PIECES, SERIAL_BELOW, Crowd, Grid, Plan, scattered
+from systems.mind.grid import PIECES, SERIAL_BELOW, Grid, Plan, scattered
 from systems.mind.intend import (
     AVOID_FISH,
     EAT,

@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from components.arrays import Float64s, Int64s
-from systems.mind.grid import Crowd, make_crowd
+from systems.mind.crowd import Crowd, make_crowd
 
 STEEPEST = 0.64
 EVERY = 4

@@ -5,7 +5,7 @@ from typing import Final
 
 from components.arrays import Float64s
 from components.kernels import row
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 from systems.mind.perceive import HORIZON
 
 _SWERVE: Final = 1.2

@@ -10,7 +10,7 @@ from typing import Final
 from components.arrays import Float64s
 from components.kernels import inlined, row
 from systems.mind.behave.pace import pace
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 
 _LONGEST_LEAD: Final = 1.5
 _CLOSING: Final = 1.2

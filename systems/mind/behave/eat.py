@@ -7,7 +7,7 @@ from components.arrays import Float64s
 from components.kernels import inlined, row
 from systems.mind.behave.chase_target import chase_target, turn_finely
 from systems.mind.behave.pace import BRISKEST, SLOWEST, pace
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 
 DASH_TICKS: Final = 90
 """[ticks] for which a hunter can dash ..."""

@@ -11,7 +11,7 @@ from components.arrays import Float64s, Int64s
 from components.chance import PANIC, uniform
 from components.ground import Terrain
 from components.kernels import inlined, row
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 
 ZIGZAG_TICKS: Final = 40
 """[ticks] from one dodge to the next."""

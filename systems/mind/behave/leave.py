@@ -8,7 +8,7 @@ from typing import Final
 from components.arrays import Float64s
 from components.ground import Terrain, ground_height
 from components.kernels import row
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 
 _SLOPE: Final = 0.6
 _PROBE: Final = 2.0

@@ -14,7 +14,7 @@ from components.kernels import inlined, row
 from components.mind import Courtship
 from systems.mind.behave.chase_target import chase_target
 from systems.mind.behave.pace import pace
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 
 NONE: Final = int(Courtship.NONE)
 LOOPING: Final = int(Courtship.LOOPING)

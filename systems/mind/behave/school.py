@@ -15,7 +15,7 @@ from typing import Final
 from components.arrays import Float64s, Int64s
 from components.chance import PLACE_IN_SCHOOL, WANDER, uniform
 from components.kernels import inlined, row
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 
 ROAM_TICKS: Final = 3600
 """[ticks] for which a cohort keeps to one place before the next."""

@@ -14,7 +14,7 @@ from components.ground import Terrain, ground_height
 from components.kernels import inlined, row
 from components.vector import point
 from systems.mind.behave.pace import pace
-from systems.mind.grid import Crowd
+from systems.mind.crowd import Crowd
 
 INTEREST_TICKS: Final = 1800
 """[ticks] for which a fish keeps its interest, or the lack of it."""
