@@ -29,7 +29,7 @@ _PRESSING: Final = 0.85
 """A boundary is pressing, yet no matter of life and death: nobody makes a fast start into open water."""
 
 
-class Swimmers(NamedTuple):
+class Bounded(NamedTuple):
     """The columns that bounding reads and writes, row for row."""
 
     species: Int32s
@@ -60,7 +60,7 @@ def turn_inward(
 
 
 @inlined
-def _place_ahead(swimmers: Swimmers, i: int, ahead: float) -> tuple[float, float, float]:
+def _place_ahead(swimmers: Bounded, i: int, ahead: float) -> tuple[float, float, float]:
     """Return the place [m] that is `ahead` [m] of row i."""
     return (
         swimmers.position[i, 0] + ahead * swimmers.rotation[i, 0, 0],
@@ -70,7 +70,7 @@ def _place_ahead(swimmers: Swimmers, i: int, ahead: float) -> tuple[float, float
 
 
 @inlined
-def _look_out(swimmers: Swimmers, i: int) -> float:
+def _look_out(swimmers: Bounded, i: int) -> float:
     """Return how far [m] ahead of its middle row i looks out: half its length and where its speed takes it."""
     dx = swimmers.position[i, 0] - swimmers.last_position[i, 0]
     dy = swimmers.position[i, 1] - swimmers.last_position[i, 1]
@@ -81,7 +81,7 @@ def _look_out(swimmers: Swimmers, i: int) -> float:
 
 @row
 def _bound_one(
-    terrain: Terrain, i: int, ahead: float, room: float, wide: float, swimmers: Swimmers
+    terrain: Terrain, i: int, ahead: float, room: float, wide: float, swimmers: Bounded
 ) -> None:
     """Bound row i, unless all is farther than `wide` [m] from halfway to where it looks."""
     x, y, z = _place_ahead(swimmers, i, 0.5 * ahead)
@@ -96,7 +96,7 @@ def _bound_one(
 
 
 @row
-def bound_some(terrain: Terrain, girth: Float64s, begin: int, end: int, swimmers: Swimmers) -> None:
+def bound_some(terrain: Terrain, girth: Float64s, begin: int, end: int, swimmers: Bounded) -> None:
     """Bound the fishes of rows begin..end."""
     for i in range(begin, end):
         ahead = _look_out(swimmers, i)
@@ -109,7 +109,7 @@ def bound_some(terrain: Terrain, girth: Float64s, begin: int, end: int, swimmers
 
 
 @loop
-def bound_all(terrain: Terrain, girth: Float64s, number: int, swimmers: Swimmers) -> None:
+def bound_all(terrain: Terrain, girth: Float64s, number: int, swimmers: Bounded) -> None:
     """Bound all fishes, on all threads."""
     for piece in numba.prange(PIECES):
         begin, end = number * piece // PIECES, number * (piece + 1) // PIECES
@@ -121,7 +121,7 @@ class Bound:
 
     def __init__(self, population: Population, senses: SenseTable, terrain: Terrain) -> None:
         self.population, self.senses, self.terrain = population, senses, terrain
-        self._swimmers = Columns(Swimmers, population.fish, population.motor)
+        self._swimmers = Columns(Bounded, population.fish, population.motor)
         self._bound_some, self._bound_all = Launch(bound_some), Launch(bound_all)
 
     def __call__(self) -> None:

@@ -6,13 +6,12 @@ Below the lowest rate strides shrink until the fish stands, and turn round until
 
 from typing import Final
 
-from components.arrays import Float64s
 from components.clock import TICK_SECONDS
 from components.kernels import inlined, row
 from components.motor import PACES, RATES
-from components.rotation import set_axes, turned
-from systems.motor.balance import righting, roll
+from components.rotation import Axes, Vector, axes_of, turned
 from systems.motor.columns import Bodies, Motors
+from systems.motor.go_on import go_on
 from systems.motor.track import Track
 
 BRAKING: Final = 1.5 * TICK_SECONDS
@@ -49,59 +48,44 @@ def _advance_pace(i: int, motor: Motors, loops: bool) -> tuple[float, float, flo
 
 
 @inlined
-def _turn_body(r: Float64s, u: float, v: float, w: float) -> None:
-    """R <- R exp(u, v, w), a rotation vector [rad] in body axes."""
-    ax, ay, az, bx, by, bz = r[0, 0], r[1, 0], r[2, 0], r[0, 1], r[1, 1], r[2, 1]
-    p = ax * u + bx * v + r[0, 2] * w
-    q = ay * u + by * v + r[1, 2] * w
-    s = az * u + bz * v + r[2, 2] * w
-    ax, ay, az = turned(ax, ay, az, p, q, s)
-    bx, by, bz = turned(bx, by, bz, p, q, s)
-    set_axes(r, ax, ay, az, bx, by, bz)
-
-
-@inlined
-def _shift_body(r: Float64s, o: Float64s, u: float, v: float, w: float) -> None:
-    """o <- o + R (u, v, w) [m]."""
-    for j in range(3):
-        o[j] += r[j, 0] * u + r[j, 1] * v + r[j, 2] * w
+def _in_axes(axes: Axes, u: float, v: float, w: float) -> tuple[float, float, float]:
+    """Return the vector (u, v, w) of a frame whose `axes` are given."""
+    x, y, z = axes
+    return (
+        x[0] * u + y[0] * v + z[0] * w,
+        x[1] * u + y[1] * v + z[1] * w,
+        x[2] * u + y[2] * v + z[2] * w,
+    )
 
 
 @row
 def play_entries(
-    segment: int, frame: int, begun: float, end: float, size: float, track: Track,
-    r: Float64s, o: Float64s,
-) -> tuple[int, float]:  # fmt: skip
-    """Play the segment from `begun` behind the start of entry `frame` to `end` behind it. Return entry and part there.
+    segment: int, frame: int, begun: float, end: float, size: float, track: Track
+) -> tuple[int, float, Vector, Axes]:
+    """Play the segment from `begun` behind the start of entry `frame` to `end` behind it. Return entry and part there,
+    the way and the axes there, both in the body's axes as they were.
 
     Of entry k the fish plays the share f of M = exp(w) as exp(f w), and that of t in the axes at the entry's start:
     shares add up to the whole entry, so that cycles close as captured at any rate.
     """
     first, length, loops = track.start[segment], track.length[segment], track.loops[segment]
+    x = y = z = 0.0
+    axes = axes_of(0.0, 0.0, 0.0)
     while end > 0.0:
         t, turn = track.translation[first + frame], track.turn[first + frame]
         share = min(end, 1.0) - begun
         far = size * share
         u, v, w = turned(t[0], t[1], t[2], -begun * turn[0], -begun * turn[1], -begun * turn[2])
-        _shift_body(r, o, far * u, far * v, far * w)
-        _turn_body(r, share * turn[0], share * turn[1], share * turn[2])
+        u, v, w = _in_axes(axes, far * u, far * v, far * w)
+        x, y, z = x + u, y + v, z + w
+        a, b, c = axes_of(share * turn[0], share * turn[1], share * turn[2])
+        axes = _in_axes(axes, *a), _in_axes(axes, *b), _in_axes(axes, *c)
         if end < 1.0:
-            return frame, end
+            return frame, end, (x, y, z), axes
         end -= 1.0
         begun = 0.0
         frame = 0 if frame + 1 == length and loops else frame + 1
-    return frame, 0.0
-
-
-@inlined
-def _balance(i: int, r: Float64s, motor: Motors) -> None:
-    """Take this tick's part out of the mean roll, then steer."""
-    c = righting(i, motor, roll(r[2, 0], r[2, 1], r[2, 2]))
-    bx, by, bz = r[0, 1] - c * r[0, 2], r[1, 1] - c * r[1, 2], r[2, 1] - c * r[2, 2]
-    p, q, s = motor.steer[i, 0], motor.steer[i, 1], motor.steer[i, 2]
-    ax, ay, az = turned(r[0, 0], r[1, 0], r[2, 0], p, q, s)
-    bx, by, bz = turned(bx, by, bz, p, q, s)
-    set_axes(r, ax, ay, az, bx, by, bz)
+    return frame, 0.0, (x, y, z), axes
 
 
 @row
@@ -109,15 +93,14 @@ def play_at_rate(i: int, fish: Bodies, motor: Motors, track: Track, weight: floa
     """Play what the pace asks for, shares of entries and all, as move plays one entry at pace 1."""
     segment, begun = motor.segment[i], motor.part[i]
     pace, end, stride = _advance_pace(i, motor, track.loops[segment] == 1)
-    r, o, size = fish.rotation[i], fish.position[i], fish.length[i]
-    for j in range(3):
-        fish.last_position[i, j] = o[j]
-        for k in range(3):
-            fish.last_rotation[i, j, k] = r[j, k]
+    size = fish.length[i]
+    frame, part, way, axes = play_entries(
+        segment, motor.frame[i], begun, end, stride * size, track
+    )
+    offset, glide = pace * size * weight, motor.glide[i]
+    x, y, z = way
+    x, y, z = x + offset * glide[0], y + offset * glide[1], z + offset * glide[2]
+    go_on(i, x, y, z, axes[0], axes[1], fish, motor)
     motor.last_part[i] = begun
-    glide, offset = motor.glide[i], pace * size * weight
-    _shift_body(r, o, offset * glide[0], offset * glide[1], offset * glide[2])
-    frame, part = play_entries(segment, motor.frame[i], begun, end, stride * size, track, r, o)
-    _balance(i, r, motor)
     motor.frame[i], motor.part[i] = frame, part
     motor.shape_row[i] = track.start[segment] + (frame if frame > 0 else track.length[segment]) - 1
