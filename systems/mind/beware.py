@@ -33,7 +33,7 @@ LOOMS: Final = 3.0
 """Lengths of a large fish within which others mind where it swims."""
 
 NEGLIGIBLE: Final = 0.1
-"""Fear of one predator too small to look twice."""
+"""Fear of one predator, or the submarine, too small to look twice."""
 
 
 @inlined

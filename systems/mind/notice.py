@@ -8,7 +8,7 @@ from typing import Final
 from components.kernels import merged
 from components.mind import Role
 from systems.mind.attention import NO_DANGER, Attention, Thoughts
-from systems.mind.beware import fear_all, watch_hunters
+from systems.mind.beware import NEGLIGIBLE, fear_all, watch_hunters
 from systems.mind.feel import fear_of_submarine, speed_of
 from systems.mind.gather import gather, reach_of
 from systems.mind.perceive import (
@@ -124,7 +124,7 @@ def notice_obstacles(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> 
 
 @merged
 def notice_submarine(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> None:
-    """See whether the submarine comes too near, which prey alone fears."""
+    """See whether the submarine comes too near, which prey alone fears, and only within sight."""
     crowd, senses, velocity = scene.crowd, scene.senses, scene.submarine_velocity
     if scene.submarines == 0:
         for k in range(begin, end):
@@ -140,5 +140,7 @@ def notice_submarine(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> 
         if senses.role[kind] == _PREY:
             far = speed_of(away[0], away[1], away[2])
             scare = fear_of_submarine(senses.wariness[kind], speed, far)
+            if scare < NEGLIGIBLE or far > scene.habitat.visibility:
+                scare = 0.0
         thoughts.scare[k] = scare
         thoughts.fear[k] = min(thoughts.fear[k] + scare, 1.0)

@@ -422,6 +422,8 @@ class Reference:
         scare = 0.0
         if role == PREY:
             scare = min(sense.wariness[kind] * (0.5 + 0.6 * speed) / (far + 1e-9), 1.0)
+            if scare < 0.1 or far > self.world.habitat.visibility:
+                scare = 0.0
         fear, danger = min(fear + scare, 1.0), max(danger, scare)
         obstacle, threat = self._obstacle(me), min(when, meets) < NOBODY
         blocked = obstacle < (1.4 if old.intention == OBSTACLE else 1.0)
