@@ -6,9 +6,10 @@ obey     that fish does as the player orders                           systems/p
 stir     singularities follow their key frames and carriers            systems/sea/stir.py
 think    a quarter of the fishes perceive, intend and behave           systems/mind/think.py
 sting    anemones sting who is not at home in them: it flees           systems/play/sting.py
-bound    ground, rocks, surface and rim turn fishes inward             systems/motor/bound.py
-control  the secondary controller chooses segments and steers          systems/motor/control.py
-move     every fish plays its segment, warps and balances              systems/motor/move.py
+swim     three in one launch:                                          systems/motor/swim.py
+  bound    ground, rocks, surface and rim turn fishes inward           systems/motor/bound.py
+  control  the secondary controller chooses segments and steers        systems/motor/control.py
+  move     every fish plays its segment, warps and balances            systems/motor/move.py
 live     the nearest few run the muscle model, where that is asked for systems/motor/live.py
 drift    the flow carries food and fishes                             systems/sea/drift.py
 hold     anemones hold and eat small fishes that touch them            systems/play/hold.py
@@ -25,6 +26,7 @@ from systems.motor.control import Control
 from systems.motor.live import Live
 from systems.motor.move import Move
 from systems.motor.strokes import strokes
+from systems.motor.swim import Swim
 from systems.motor.track import Track
 from systems.play.feed import Feed
 from systems.play.hold import Hold
@@ -97,9 +99,7 @@ def schedule(world: "World") -> tuple[System, ...]:
         world.stir,
         Think(fishes, senses, terrain, world.submarine, clock, world.food, world.habitat),
         Sting(world.anemones, fishes, senses, terrain, clock),
-        Bound(fishes, senses, terrain),
-        Control(fishes, world.library, clock),
-        move,
+        Swim(Bound(fishes, senses, terrain), Control(fishes, world.library, clock), move),
         *live(world, move.track),
         Drift(world.singularities, fishes, world.food, world.patches, senses, terrain, clock),
         Hold(world.anemones, fishes, senses, terrain, world.spawn, clock),

@@ -121,12 +121,12 @@ class Bound:
 
     def __init__(self, population: Population, senses: SenseTable, terrain: Terrain) -> None:
         self.population, self.senses, self.terrain = population, senses, terrain
-        self._swimmers = Columns(Bounded, population.fish, population.motor)
+        self.columns = Columns(Bounded, population.fish, population.motor)
         self._bound_some, self._bound_all = Launch(bound_some), Launch(bound_all)
 
     def __call__(self) -> None:
         """Turn inward whoever is near a boundary."""
-        number, swimmers = self.population.count, self._swimmers()
+        number, swimmers = self.population.count, self.columns()
         if number < SERIAL_BELOW:
             self._bound_some(self.terrain, self.senses.girth, 0, number, swimmers)
         else:

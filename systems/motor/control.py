@@ -50,7 +50,7 @@ LEAST_STEERING: Final = 0.4
 """Share of the rates that is left without any speed."""
 
 
-class Swimmers(NamedTuple):
+class Controlled(NamedTuple):
     """The columns of the fish and motor tables that control reads, and last those it writes."""
 
     id: Int64s
@@ -131,7 +131,9 @@ def _steer(
 
 
 @row
-def control_rows(first: int, last: int, fish: Swimmers, gaits: Gaits, seed: int, tick: int) -> None:
+def control_rows(
+    first: int, last: int, fish: Controlled, gaits: Gaits, seed: int, tick: int
+) -> None:
     """Control the fishes of rows first to last - 1."""
     for i in range(first, last):
         r, g, steer = fish.rotation[i], fish.heading[i], fish.steer[i]
@@ -155,7 +157,7 @@ def control_rows(first: int, last: int, fish: Swimmers, gaits: Gaits, seed: int,
 
 
 @loop
-def control_parallel(count: int, fish: Swimmers, gaits: Gaits, seed: int, tick: int) -> None:
+def control_parallel(count: int, fish: Controlled, gaits: Gaits, seed: int, tick: int) -> None:
     """Control `count` fishes on all threads, to the same bits as `control_rows`."""
     for chunk in numba.prange(CHUNKS):
         first, last = chunk * count // CHUNKS, (chunk + 1) * count // CHUNKS
@@ -170,12 +172,12 @@ class Control:
         self.population = population
         self.clock = clock
         self.gaits = gaits(library)
-        self._swimmers = Columns(Swimmers, population.fish, population.motor)
+        self.columns = Columns(Controlled, population.fish, population.motor)
         self._serially, self._in_parallel = Launch(control_rows), Launch(control_parallel)
 
     def __call__(self) -> None:
         """Choose segment and steering of every fish for this tick."""
-        count, fish = self.population.count, self._swimmers()
+        count, fish = self.population.count, self.columns()
         seed, tick = int(self.clock.seed[0]), self.clock.now
         if count < PARALLEL_FROM:
             self._serially(0, count, fish, self.gaits, seed, tick)

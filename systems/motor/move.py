@@ -46,7 +46,12 @@ def _step(i: int, fish: Bodies, motor: Motors, track: Track, literal: bool) -> N
     segment = motor.segment[i]
     frame = motor.frame[i]
     entry = track.start[segment] + frame
-    t, m, glide, size = track.translation[entry], track.rotation[entry], motor.glide[i], fish.length[i]
+    t, m, glide, size = (
+        track.translation[entry],
+        track.rotation[entry],
+        motor.glide[i],
+        fish.length[i],
+    )
     go_on(
         i, size * (t[0] + weight * glide[0]), size * (t[1] + weight * glide[1]),
         size * (t[2] + weight * glide[2]), (m[0, 0], m[1, 0], m[2, 0]),
@@ -86,19 +91,20 @@ def _hold_inside(first: int, last: int, fish: Bodies, terrain: Terrain) -> None:
 
 
 @row
-def move_serial(count: int, fish: Bodies, motor: Motors, track: Track, terrain: Terrain) -> None:
-    """Move `count` fishes on this thread."""
-    _advance(0, count, fish, motor, track)
-    _hold_inside(0, count, fish, terrain)
+def move_rows(
+    first: int, last: int, fish: Bodies, motor: Motors, track: Track, terrain: Terrain
+) -> None:
+    """Move the fishes of rows first to last - 1."""
+    _advance(first, last, fish, motor, track)
+    _hold_inside(first, last, fish, terrain)
 
 
 @loop
 def move_parallel(count: int, fish: Bodies, motor: Motors, track: Track, terrain: Terrain) -> None:
-    """Move `count` fishes on all threads; to the same bits as `move_serial`."""
+    """Move `count` fishes on all threads; to the same bits as `move_rows`."""
     for chunk in numba.prange(CHUNKS):
         first, last = chunk * count // CHUNKS, (chunk + 1) * count // CHUNKS
-        _advance(first, last, fish, motor, track)
-        _hold_inside(first, last, fish, terrain)
+        move_rows(first, last, fish, motor, track, terrain)
 
 
 class Move:
@@ -116,13 +122,16 @@ class Move:
         self.population = population
         self.terrain = terrain
         self.clock = clock
-        self._bodies = Columns(Bodies, population.fish)
-        self._motors = Columns(Motors, population.motor)
+        self.bodies = Columns(Bodies, population.fish)
+        self.motors = Columns(Motors, population.motor)
         self.track = track(library, literal=gliding == "paper")
-        self._serially, self._in_parallel = Launch(move_serial), Launch(move_parallel)
+        self._serially, self._in_parallel = Launch(move_rows), Launch(move_parallel)
 
     def __call__(self) -> None:
         """Move every fish by one tick."""
         count = self.population.count
-        kernel = self._serially if count < PARALLEL_FROM else self._in_parallel
-        kernel(count, self._bodies(), self._motors(), self.track, self.terrain)
+        given = (self.bodies(), self.motors(), self.track, self.terrain)
+        if count < PARALLEL_FROM:
+            self._serially(0, count, *given)
+        else:
+            self._in_parallel(count, *given)

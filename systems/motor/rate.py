@@ -94,9 +94,7 @@ def play_at_rate(i: int, fish: Bodies, motor: Motors, track: Track, weight: floa
     segment, begun = motor.segment[i], motor.part[i]
     pace, end, stride = _advance_pace(i, motor, track.loops[segment] == 1)
     size = fish.length[i]
-    frame, part, way, axes = play_entries(
-        segment, motor.frame[i], begun, end, stride * size, track
-    )
+    frame, part, way, axes = play_entries(segment, motor.frame[i], begun, end, stride * size, track)
     offset, glide = pace * size * weight, motor.glide[i]
     x, y, z = way
     x, y, z = x + offset * glide[0], y + offset * glide[1], z + offset * glide[2]

@@ -403,6 +403,10 @@ class Reference:
         slot = (self.now + 61 * (me.id & 31)) // 1800
         return far if chance.uniform(self.seed, chance.CURIOSITY, slot, me.id) < share else 0.0
 
+    def _scare(self, kind: int, far: float, speed: float) -> float:
+        scare = min(self.sense.wariness[kind] * (0.5 + 0.6 * speed) / (far + 1e-9), 1.0)
+        return 0.0 if scare < 0.1 or far > self.world.habitat.visibility else scare
+
     def _mind(self, me: Body) -> Mind:
         """Perceive, feel and decide for one fish."""
         sense, kind, old = self.sense, me.species, self.minds[me.id]
@@ -419,11 +423,7 @@ class Reference:
         when, other = (soon, big) if soon < when else (when, other)
         fear, danger, predator = self._fear(me, hunters)
         meets, far, speed = self._submarine(me)
-        scare = 0.0
-        if role == PREY:
-            scare = min(sense.wariness[kind] * (0.5 + 0.6 * speed) / (far + 1e-9), 1.0)
-            if scare < 0.1 or far > self.world.habitat.visibility:
-                scare = 0.0
+        scare = self._scare(kind, far, speed) if role == PREY else 0.0
         fear, danger = min(fear + scare, 1.0), max(danger, scare)
         obstacle, threat = self._obstacle(me), min(when, meets) < NOBODY
         blocked = obstacle < (1.4 if old.intention == OBSTACLE else 1.0)

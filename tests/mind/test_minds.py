@@ -17,7 +17,7 @@ from components.fish import Population
 from components.kernels import loop, row
 from components.mind import SUBMARINE, Intention
 from components.terrain import clearance
-from systems.motor.bound import Swimmers
+from systems.motor.bound import Bounded
 
 WANDER, OBSTACLE, AVOID, SCHOOL = (int(kind) for kind in list(Intention)[:4])
 
@@ -171,12 +171,12 @@ def test_the_parallel_loop_drops_no_store(pond: ModuleType) -> None:
 
 
 @row
-def _raise_urgency(swimmers: Swimmers, i: int) -> None:
+def _raise_urgency(swimmers: Bounded, i: int) -> None:
     swimmers.urgency[i] = 1.0
 
 
 @loop
-def _raise_all(swimmers: Swimmers, number: int) -> None:
+def _raise_all(swimmers: Bounded, number: int) -> None:
     for i in numba.prange(number):
         _raise_urgency(swimmers, i)
 
@@ -185,7 +185,7 @@ def test_a_row_function_called_in_prange_stores_into_a_tuple_of_columns() -> Non
     population = Population()
     population.append(np.arange(100))
     fish, motor = population.fish, population.motor
-    swimmers = Swimmers(
+    swimmers = Bounded(
         fish.species, fish.length, fish.position, fish.last_position, fish.rotation,
         motor.heading, motor.urgency,
     )  # fmt: skip

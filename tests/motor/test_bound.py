@@ -6,7 +6,7 @@ import pytest
 from components.arrays import Float64s
 from components.ground import Terrain, clearance
 from components.terrain import build_terrain, rock_on_ground
-from systems.motor.bound import Swimmers, bound_some
+from systems.motor.bound import Bounded, bound_some
 from systems.motor.choose import MORTAL
 
 LENGTH = 0.25
@@ -23,7 +23,7 @@ def bound(terrain: Terrain, place: Float64s, way: Float64s) -> tuple[Float64s, f
     rotation = np.zeros((1, 3, 3))
     rotation[0, :, 0] = way
     last = place - way * 0.4 / 60.0
-    fish = Swimmers(
+    fish = Bounded(
         np.zeros(1, np.int32), np.array([LENGTH]), place[None], last[None], rotation,
         way[None].copy(), np.zeros(1),
     )  # fmt: skip

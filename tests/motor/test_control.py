@@ -16,7 +16,7 @@ from systems.motor.control import (
     STEEPEST,
     YAW_RATE,
     Control,
-    Swimmers,
+    Controlled,
     control_parallel,
     control_rows,
     half_tangent_angle,
@@ -238,7 +238,7 @@ def test_threads_and_rows_change_no_bit(school: School, captured: RepertoireLibr
         fish.motor.held[:200] = np.arange(200) % 60
         fish.motor.urgency[:200] = np.linspace(0, 1, 200)
         fish.reorder(order)
-        columns = Columns(Swimmers, fish.fish, fish.motor)()
+        columns = Columns(Controlled, fish.fish, fish.motor)()
         for tick in range(5):
             if threads == 1:
                 control_rows(0, 200, columns, gait, 11, tick)

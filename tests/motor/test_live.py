@@ -19,9 +19,9 @@ from systems.motor.contract import contract
 from systems.motor.hand_over import leave, may_leave
 from systems.motor.live import CHOOSE_TICKS, Live
 from systems.motor.live_step import slots
-from systems.motor.move import Move
 from systems.motor.pose import pose
 from systems.motor.strokes import stroke_of
+from systems.motor.swim import Swim
 
 CONTENT: Final = load("first_dive")
 JUMP: Final = 0.02
@@ -30,6 +30,10 @@ JUMP: Final = 0.02
 
 def _live_of(world: World) -> Live:
     return next(system for system in world.systems if isinstance(system, Live))
+
+
+def _swim_of(world: World) -> Swim:
+    return next(system for system in world.systems if isinstance(system, Swim))
 
 
 def _held(world: World, *stages: int) -> Int64s:
@@ -54,7 +58,7 @@ class _Drill:
     def __init__(self, live: int = 50) -> None:
         self.world = World.build(CONTENT, 1, live)
         self.live = _live_of(self.world)
-        self.move = next(s for s in self.world.systems if isinstance(s, Move))
+        self.move = _swim_of(self.world).move
         self.random = np.random.default_rng(4)
 
     def demand(self) -> None:
@@ -192,7 +196,7 @@ def test_a_simulated_fish_swims_as_a_replayed_one() -> None:
     ways = []
     for fishes in (0, 50):
         world = World.build(CONTENT, 1, fishes)
-        moving = [system for system in world.systems if isinstance(system, Move | Live)]
+        moving = [_swim_of(world).move, *([_live_of(world)] if fishes else [])]
         rows = np.arange(world.population.count)
         order = np.argsort(world.population.fish.id[rows])
         for tick in range(70):
@@ -294,7 +298,7 @@ def test_a_live_fish_stays_out_of_the_hull() -> None:
     ahead = nodes[0] / np.linalg.norm(nodes[0])
     ship = world.population.fish.position[row] + size * nodes[0] + (HULL_RADIUS - 0.05) * ahead
     live = _live_of(world)
-    next(s for s in world.systems if isinstance(s, Move))()
+    _swim_of(world).move()
     world.submarine.position[0] = ship
     world.submarine.velocity[0] = 0.0
     live()

@@ -1,6 +1,7 @@
 """Move: replay, scale, balance, steering, warping and independence of order, threads and view."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from components.motor import PACES
 from components.repertoire import Pattern, RepertoireLibrary
 from components.terrain import MARGIN, Terrain, ground_height
 from systems.motor.columns import bodies, motors
-from systems.motor.move import Move, move_parallel, move_serial
+from systems.motor.move import Move, move_parallel, move_rows
 from systems.motor.pose import pose
 from systems.motor.rate import BRAKING
 from systems.motor.track import track
@@ -265,7 +266,7 @@ def test_all_threads_and_one_compute_the_same_bits(
 ) -> None:
     serial, parallel = school(300, library), school(300, library)
     played = track(library)
-    for fish, kernel in ((serial, move_serial), (parallel, move_parallel)):
+    for fish, kernel in ((serial, partial(move_rows, 0)), (parallel, move_parallel)):
         fish.motor.wanted[:300] = np.arange(300) % 5
         fish.motor.steer[:300, 2] = np.linspace(-0.04, 0.04, 300)
         for _ in range(20):

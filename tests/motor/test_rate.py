@@ -1,6 +1,7 @@
 """Rate: swims played faster or slower than captured close as captured, and nothing jumps between entries."""
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,7 @@ from components.repertoire_file import load
 from components.terrain import Terrain
 from systems.motor.columns import bodies, motors
 from systems.motor.control import Control
-from systems.motor.move import Move, move_parallel, move_serial
+from systems.motor.move import Move, move_parallel, move_rows
 from systems.motor.pose import pose, reconstruct
 from systems.motor.rate import GAINING, SETTLING, play_entries
 from systems.motor.track import PLANE, rotation_vectors, track
@@ -40,7 +41,8 @@ def _travel(
     frame, part, left = 0, 0.0, float(entries)
     while left > 1e-6:
         step = min(rate, left)
-        frame, part = play_entries(segment, frame, part, part + step, 1.0, played, r, o)
+        frame, part, way, axes = play_entries(segment, frame, part, part + step, 1.0, played)
+        r, o = r @ np.transpose(axes), o + r @ way
         left -= step
     return r, o
 
@@ -62,7 +64,8 @@ def test_shares_of_an_entry_add_up_to_it(captured: RepertoireLibrary) -> None:
     played, entry = track(captured), 4
     r, o = np.eye(3), np.zeros(3)
     for begun, end in ((0.0, 0.15), (0.15, 0.8), (0.8, 1.0)):
-        frame, part = play_entries(0, entry, begun, end, 1.0, played, r, o)
+        frame, part, way, axes = play_entries(0, entry, begun, end, 1.0, played)
+        r, o = r @ np.transpose(axes), o + r @ way
     assert (frame, part) == (entry + 1, 0.0)
     np.testing.assert_allclose(r, captured.rotation[entry], atol=1e-8)
     np.testing.assert_allclose(o, captured.translation[entry], atol=1e-10)
@@ -278,7 +281,7 @@ def test_all_threads_compute_the_same_bits_at_any_rate(
     school: School, captured: RepertoireLibrary, sea: Terrain
 ) -> None:
     found = []
-    for kernel in (move_serial, move_parallel):
+    for kernel in (partial(move_rows, 0), move_parallel):
         fish, rng = _mixed(school, captured), np.random.default_rng(12)
         for _ in range(40):
             _steered(fish, captured, rng, 0.1)
