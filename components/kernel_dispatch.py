@@ -38,9 +38,12 @@ class _CalleeLibrary(JITCodeLibrary):  # type: ignore[misc]  # numba is untyped
         return self.name, self._final_module.as_bitcode()
 
     @classmethod
-    def of(cls, codegen: Any, name: str, bitcode: bytes) -> "_CalleeLibrary":
-        """Return the library that was serialized."""
+    def of(
+        cls, codegen: Any, name: str, bitcode: bytes, reload_init: list[Callable[[], None]]
+    ) -> "_CalleeLibrary":
+        """Return the library that was serialized. Callers, too, must run `reload_init`: it starts threads."""
         library = cls(codegen, name)
+        library._reload_init.update(reload_init)
         library._final_module = llvmlite.binding.parse_bitcode(bitcode)
         library._finalized = True
         return library
@@ -117,7 +120,7 @@ class CalleeCacheImpl(CompileResultCacheImpl):  # type: ignore[misc]  # numba is
             objectmode=objectmode,
             lifted=lifted,
             fndesc=fndesc,
-            library=_CalleeLibrary.of(target_context.codegen(), name, bitcode),
+            library=_CalleeLibrary.of(target_context.codegen(), name, bitcode, reload_init),
             call_helper=None,
             environment=environment,
             metadata=None,

@@ -223,7 +223,8 @@ def row(function: _Kernel) -> _Kernel:
     """Compile a serial function of one row or a serial loop; it may be called from other kernels.
 
     It must allocate nothing: reference counting is off (a NamedTuple of arrays costs as much as a
-    pointer), and division follows IEEE 754 instead of raising.
+    pointer), and division follows IEEE 754 instead of raising. What returns arrays serves kernels
+    alone: Python would count references to them that nobody holds.
     """
     return _compile(function, "row", _nrt=False)
 

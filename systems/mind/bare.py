@@ -14,9 +14,17 @@ from components.senses import SenseTable
 from components.vector import point
 from systems.mind.attention import Attention, make_attention
 from systems.mind.behave.school import keep_company
-from systems.mind.crowd import Crowd
+from systems.mind.crowd import Crowd, Rows, Sorting
 from systems.mind.gather import gather, reach_of
-from systems.mind.grid import PIECES, SERIAL_BELOW, Grid, Plan, scattered
+from systems.mind.grid import (
+    PIECES,
+    SERIAL_BELOW,
+    Grid,
+    Plan,
+    scattered,
+    sort_on_all,
+    sort_serially,
+)
 from systems.mind.perceive import nearest_of_kind, see_around
 
 
@@ -66,6 +74,26 @@ def flock_all(
         )  # fmt: skip
 
 
+@row
+def school_serially(
+    turn: int, every: int, number: int, plan: Plan, sorting: Sorting, rows: Rows, crowd: Crowd,
+    senses: SenseTable, heading: Float64s, gear: Int8s, attention: Attention,
+) -> None:  # fmt: skip
+    """Sort the fishes and let those school whose turn it is, on this thread."""
+    sort_serially(number, plan, sorting, rows, crowd)
+    flock_some(turn, every, 0, number, plan, crowd, senses, heading, gear, attention, 0)
+
+
+@row
+def school_on_all(
+    pieces: int, turn: int, every: int, number: int, plan: Plan, sorting: Sorting, rows: Rows,
+    crowd: Crowd, senses: SenseTable, heading: Float64s, gear: Int8s, attention: Attention,
+) -> None:  # fmt: skip
+    """Sort the fishes and let those school whose turn it is, on all threads."""
+    sort_on_all(pieces, number, plan, sorting, rows, crowd)
+    flock_all(pieces, turn, every, number, plan, crowd, senses, heading, gear, attention)
+
+
 class BareSchooling:
     """Reads fishes, senses and clock; writes the schooling fishes' heading and gear."""
 
@@ -81,14 +109,18 @@ class BareSchooling:
         self.population, self.senses, self.clock, self.every = population, senses, clock, every
         self.grid = Grid(population, terrain, senses)
         self._attention = make_attention()
-        self._flock_some, self._flock_all = Launch(flock_some), Launch(flock_all)
+        self._serially, self._on_all = Launch(school_serially), Launch(school_on_all)
 
     def __call__(self) -> None:
         """Advance by one tick."""
         number, now, motor = self.population.count, self.clock.now, self.population.motor
-        self.grid.sort(reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0)
-        scene = (self.grid.plan, self.grid.crowd, self.senses, motor.heading, motor.gear)
+        grid = self.grid
+        grid.prepare(reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0)
+        given = (
+            now, self.every, number, grid.plan, grid.sorting, grid.rows(), grid.crowd, self.senses,
+            motor.heading, motor.gear, self._attention,
+        )  # fmt: skip
         if number < SERIAL_BELOW:
-            self._flock_some(now, self.every, 0, number, *scene, self._attention, 0)
+            self._serially(*given)
         else:
-            self._flock_all(PIECES, now, self.every, number, *scene, self._attention)
+            self._on_all(PIECES, *given)

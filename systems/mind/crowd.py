@@ -1,6 +1,6 @@
 """The crowd: the fishes copied in the order of cells, as minds see each other (FINDINGS 5).
 
-Within a cell they stand by id, so nothing that minds see depends on the order of rows.
+In a column the deeper come later, within a cell they stand by id: nothing that minds see depends on the order of rows.
 """
 
 from math import sqrt
@@ -82,27 +82,45 @@ class Rows(NamedTuple):
     libido: Float64s
 
 
+class Sorting(NamedTuple):
+    """How the fishes are put in order; (capacity,) each."""
+
+    column: Int32s
+    "column of each row"
+    layer: Int32s
+    "layer of each row"
+    by_column: Int32s
+    "the rows by column"
+    order: Int32s
+    "the rows by column, layer and id; until they are sorted as they were a tick ago"
+
+
 @inlined
-def _cell_from(place: int, number: int, order: Int32s, keys: Int32s) -> int:
-    """Return the first place from `place` on at which a cell begins."""
-    while 0 < place < number:
-        here, before = order[place], order[place - 1]
-        if keys[here, 0] != keys[before, 0] or keys[here, 1] != keys[before, 1]:
-            return place
+def _column_from(place: int, number: int, sorting: Sorting) -> int:
+    """Return the first place from `place` on at which a column begins."""
+    column, by_column = sorting.column, sorting.by_column
+    while 0 < place < number and column[by_column[place]] == column[by_column[place - 1]]:
         place += 1
     return place
 
 
+@inlined
+def _after(a: int, b: int, layer: Int32s, identity: Int64s) -> bool:
+    """Return whether the row a comes after b in a column: it is deeper, or its id larger."""
+    deeper = layer[a] > layer[b]
+    return bool(deeper | ((layer[a] == layer[b]) & (identity[a] > identity[b])))
+
+
 @row
-def _by_id(begin: int, end: int, order: Int32s, identity: Int64s) -> None:
-    """Order a cell's rows by id: Shell's sort, which is plain insertion for the usual few."""
+def _sort_column(begin: int, end: int, order: Int32s, layer: Int32s, identity: Int64s) -> None:
+    """Order a column's rows by layer and id: Shell's sort, which is plain insertion for the usual few."""
     gap = 1
     while gap < (end - begin) // 9:
         gap = 3 * gap + 1
     while gap > 0:
         for k in range(begin + gap, end):
             this, at = order[k], k
-            while at >= begin + gap and identity[order[at - gap]] > identity[this]:
+            while at >= begin + gap and _after(order[at - gap], this, layer, identity):
                 order[at] = order[at - gap]
                 at -= gap
             order[at] = this
@@ -110,7 +128,7 @@ def _by_id(begin: int, end: int, order: Int32s, identity: Int64s) -> None:
 
 
 @inlined
-def _copy_one(k: int, i: int, keys: Int32s, rows: Rows, crowd: Crowd) -> None:
+def _copy_one(k: int, i: int, sorting: Sorting, rows: Rows, crowd: Crowd) -> None:
     """Copy the fish of row i to the place k."""
     x, y, z = rows.position[i, 0], rows.position[i, 1], rows.position[i, 2]
     crowd.x[k], crowd.y[k], crowd.z[k] = x, y, z
@@ -124,35 +142,41 @@ def _copy_one(k: int, i: int, keys: Int32s, rows: Rows, crowd: Crowd) -> None:
     crowd.courting[k] = rows.focus[i] if rows.intention[i] == _MATE else -1
     crowd.ready[k] = rows.libido[i] >= READY
     crowd.row[k], crowd.place[i] = i, k
-    crowd.column[k], crowd.layer[k] = keys[i, 0], keys[i, 1]
+    crowd.column[k], crowd.layer[k] = sorting.column[i], sorting.layer[i]
 
 
 @row
-def copy_cells(
-    begin: int, end: int, number: int, order: Int32s, keys: Int32s, rows: Rows, crowd: Crowd
+def copy_columns(
+    begin: int, end: int, number: int, sorting: Sorting, rows: Rows, crowd: Crowd
 ) -> None:
-    """Copy the cells that begin within begin..end."""
-    begin, end = _cell_from(begin, number, order, keys), _cell_from(end, number, order, keys)
-    cell = begin
+    """Put the columns that begin within begin..end in order, and copy them."""
+    begin, end = _column_from(begin, number, sorting), _column_from(end, number, sorting)
+    order, column, layer = sorting.order, sorting.column, sorting.layer
+    for k in range(begin, end):
+        order[k] = sorting.by_column[k]
+    start = begin
     for k in range(begin + 1, end):
         here, before = order[k], order[k - 1]
-        same = (keys[here, 0] == keys[before, 0]) & (keys[here, 1] == keys[before, 1])
-        cell = cell if same else k
+        same = column[here] == column[before]
+        start = start if same else k
         # Seldom: the last tick's order stands, but for those who have changed cells.
-        if same & (rows.id[here] < rows.id[before]):
-            _by_id(cell, _cell_from(k + 1, number, order, keys), order, rows.id)
+        if same & _after(before, here, layer, rows.id):
+            _sort_column(start, _column_from(k + 1, number, sorting), order, layer, rows.id)
     for k in range(begin, end):
-        _copy_one(k, order[k], keys, rows, crowd)
+        _copy_one(k, order[k], sorting, rows, crowd)
 
 
 @loop
-def copy_all(
-    pieces: int, number: int, order: Int32s, keys: Int32s, rows: Rows, crowd: Crowd
-) -> None:
-    """Copy `number` fishes on all threads, a share of the cells to each of `pieces`."""
+def copy_all(pieces: int, number: int, sorting: Sorting, rows: Rows, crowd: Crowd) -> None:
+    """Copy `number` fishes on all threads, a share of the columns to each of `pieces`."""
     for piece in numba.prange(pieces):
         begin, end = number * piece // pieces, number * (piece + 1) // pieces
-        copy_cells(begin, end, number, order, keys, rows, crowd)
+        copy_columns(begin, end, number, sorting, rows, crowd)
+
+
+def make_sorting(capacity: int) -> Sorting:
+    """Return room to sort `capacity` fishes."""
+    return Sorting(*(np.zeros(capacity, np.int32) for _ in Sorting._fields))
 
 
 def make_crowd(capacity: int, columns: int, kinds: int, squares: int) -> Crowd:

@@ -1,8 +1,7 @@
 """Who is near whom: fishes sorted into the cells of a grid, and copied in the cells' order (FINDINGS 5).
 
 The plan is divided into square columns, each column into layers as high as a cell is wide. Fishes are counted into
-layers, then into columns, so that a column's fishes lie together, the deeper the later; what minds look at is copied
-in that order (systems/mind/crowd.py).
+columns; within each they are put in order, the deeper the later, when they are copied (systems/mind/crowd.py).
 """
 
 from math import ceil
@@ -14,10 +13,18 @@ import numpy as np
 from components.arrays import Float64s, Int32s, Int64s
 from components.fish import Population
 from components.ground import Terrain
-from components.kernels import Launch, inlined, row
+from components.kernels import Launch, inlined, loop, row
 from components.senses import SenseTable
 from components.table import Columns
-from systems.mind.crowd import Rows, copy_all, copy_cells, make_crowd
+from systems.mind.crowd import (
+    Crowd,
+    Rows,
+    Sorting,
+    copy_all,
+    copy_columns,
+    make_crowd,
+    make_sorting,
+)
 
 REACH: Final = 2.5
 """Body lengths within which fishes tell their neighbours apart in a crowd: a dozen in a school."""
@@ -25,7 +32,10 @@ REACH: Final = 2.5
 _PER_THREAD: Final = 8
 
 PIECES: Final = _PER_THREAD * numba.config.NUMBA_NUM_THREADS
-"""Pieces of a parallel loop over fishes: more even out what they cost, and each costs a start."""
+"""Pieces of a parallel loop over fishes: more even out what they cost, and each costs a start.
+
+They follow the threads, so kernels are told: what is compiled for two threads serves four from the cache.
+"""
 
 SERIAL_BELOW: Final = 500
 """Fishes below which one thread is quicker than two."""
@@ -80,94 +90,88 @@ def _place(at: float, extent: float, cell: float, last: int) -> int:
 
 
 @row
-def sort_cells(
-    position: Float64s,
-    number: int,
-    plan: Plan,
-    keys: Int32s,
-    tally: Int32s,
-    by_layer: Int32s,
-    order: Int32s,
-    first: Int32s,
+def find_cells(
+    begin: int, end: int, position: Float64s, plan: Plan, column: Int32s, layer: Int32s
 ) -> None:
-    """Put `order`, the rows in any order, by column and layer; write `first`, where each column begins.
-
-    Rows of a cell stay in the order in which they were.
-    """
+    """Write column and layer of the rows begin..end."""
     last = plan.columns - 1
-    tally[: plan.layers + 1] = 0
+    for i in range(begin, end):
+        x = _place(position[i, 0], plan.extent, plan.cell, last)
+        y = _place(position[i, 1], plan.extent, plan.cell, last)
+        column[i] = x * plan.columns + y
+        layer[i] = _place(-position[i, 2], 0.0, plan.cell, plan.layers - 1)
+
+
+@row
+def sort_columns(number: int, plan: Plan, sorting: Sorting, first: Int32s) -> None:
+    """Put the rows of the last tick's order by column; write `first`, where each column begins.
+
+    Rows of a column stay in the order in which they were.
+    """
+    column, order, by_column = sorting.column, sorting.order, sorting.by_column
     first[: plan.columns * plan.columns + 2] = 0
     for i in range(number):
-        column = _place(position[i, 0], plan.extent, plan.cell, last) * plan.columns
-        column += _place(position[i, 1], plan.extent, plan.cell, last)
-        layer = _place(-position[i, 2], 0.0, plan.cell, plan.layers - 1)
-        keys[i, 0], keys[i, 1] = column, layer
-        tally[layer + 1] += 1
-        first[column + 2] += 1
-    for layer in range(plan.layers):
-        tally[layer + 1] += tally[layer]
-    for column in range(plan.columns * plan.columns):
-        first[column + 2] += first[column + 1]
+        first[column[i] + 2] += 1
+    for at in range(plan.columns * plan.columns):
+        first[at + 2] += first[at + 1]
     for k in range(number):
-        i = order[k]
-        by_layer[tally[keys[i, 1]]] = i
-        tally[keys[i, 1]] += 1
-    for k in range(number):
-        column = keys[by_layer[k], 0]
-        order[first[column + 1]] = by_layer[k]
-        first[column + 1] += 1
+        at = column[order[k]] + 1
+        by_column[first[at]] = order[k]
+        first[at] += 1
+
+
+@row
+def sort_serially(number: int, plan: Plan, sorting: Sorting, rows: Rows, crowd: Crowd) -> None:
+    """Sort `number` fishes into cells and copy them, on this thread."""
+    find_cells(0, number, rows.position, plan, sorting.column, sorting.layer)
+    sort_columns(number, plan, sorting, crowd.first)
+    copy_columns(0, number, number, sorting, rows, crowd)
+
+
+@loop
+def _find_all(
+    pieces: int, number: int, position: Float64s, plan: Plan, column: Int32s, layer: Int32s
+) -> None:
+    for piece in numba.prange(pieces):
+        begin, end = number * piece // pieces, number * (piece + 1) // pieces
+        find_cells(begin, end, position, plan, column, layer)
+
+
+@row
+def sort_on_all(
+    pieces: int, number: int, plan: Plan, sorting: Sorting, rows: Rows, crowd: Crowd
+) -> None:
+    """Sort `number` fishes into cells and copy them, on all threads."""
+    _find_all(pieces, number, rows.position, plan, sorting.column, sorting.layer)
+    sort_columns(number, plan, sorting, crowd.first)
+    copy_all(pieces, number, sorting, rows, crowd)
 
 
 class Grid:
-    """Scratch: the fishes in cell order, made anew each tick by `sort`."""
+    """Scratch: room for the fishes in cell order, and how the world is divided for them."""
 
     def __init__(self, population: Population, terrain: Terrain, senses: SenseTable) -> None:
         self.population, self.terrain, self.senses = population, terrain, senses
         self._rows = Columns(Rows, population.fish, population.mind)
         self._planned = -1
         self.plan = divide(terrain, senses, np.zeros(len(senses.length), np.int64))
-        self.crowd = make_crowd(0, 0, 0, 0)
-        self.order = self._by_layer = self._tally = np.zeros(0, np.int32)
-        self._keys = np.zeros((0, 2), np.int32)
-        self._sort_cells = Launch(sort_cells)
-        self._copy, self._copy_all = Launch(copy_cells), Launch(copy_all)
+        self.crowd, self.sorting = make_crowd(0, 0, 0, 0), make_sorting(0)
+        self._sort = Launch(sort_serially)
 
-    def _fit(self, number: int) -> None:
-        """Make room for `number` fishes and for the plan."""
-        plan, crowd = self.plan, self.crowd
-        columns, squares = plan.columns**2, plan.squares**2
-        if number > len(self.order):
-            room = max(16, 2 * len(self.order), number)
-            self.order, self._by_layer = np.zeros(room, np.int32), np.zeros(room, np.int32)
-            self._keys = np.zeros((room, 2), np.int32)
-        if plan.layers + 1 > len(self._tally):
-            self._tally = np.zeros(2 * plan.layers + 1, np.int32)
-        old = (len(crowd.x), len(crowd.first) - 2, crowd.shoal.shape[1])
-        if number > old[0] or columns > old[1] or squares > old[2]:
-            kinds = len(self.senses.length)
-            self.crowd = make_crowd(
-                len(self.order), max(columns, old[1]), kinds, max(squares, old[2])
-            )
+    def rows(self) -> Rows:
+        """Return the columns that the crowd copies; stale when a table grows."""
+        return self._rows()
 
-    def _start_anew(self, number: int) -> None:
-        """Forget the last tick's order: rows have moved."""
-        self.order[:number] = np.arange(number)
-
-    def sort(self, reorder: bool = False) -> None:
-        """Sort the living fishes into cells; with `reorder` put their rows in that order too."""
+    def prepare(self, reorder: bool = False) -> None:
+        """Make room for the living fishes and plan for them; with `reorder` put their rows in cell order."""
         number = self.population.count
         if self._planned != self.population.changes:
             self._divide(number)
         if reorder:
             self._start_anew(number)
-            self._order(number)
-            self.population.reorder(self.order[:number].astype(np.int64))
+            self._sort(number, self.plan, self.sorting, self._rows(), self.crowd)
+            self.population.reorder(self.sorting.order[:number].astype(np.int64))
             self._start_anew(number)
-        self._order(number)
-        if number < SERIAL_BELOW:
-            self._copy(0, number, number, self.order, self._keys, self._rows(), self.crowd)
-        else:
-            self._copy_all(PIECES, number, self.order, self._keys, self._rows(), self.crowd)
 
     def _divide(self, number: int) -> None:
         """Plan for the fishes that there are, of each species so many."""
@@ -178,8 +182,18 @@ class Grid:
         self._fit(number)
         self._start_anew(number)
 
-    def _order(self, number: int) -> None:
-        self._sort_cells(
-            self.population.fish.position, number, self.plan, self._keys, self._tally,
-            self._by_layer, self.order, self.crowd.first,
-        )  # fmt: skip
+    def _fit(self, number: int) -> None:
+        """Make room for `number` fishes and for the plan."""
+        plan, crowd, room = self.plan, self.crowd, len(self.sorting.order)
+        columns, squares = plan.columns**2, plan.squares**2
+        if number > room:
+            room = max(16, 2 * room, number)
+            self.sorting = make_sorting(room)
+        old = (len(crowd.x), len(crowd.first) - 2, crowd.shoal.shape[1])
+        if number > old[0] or columns > old[1] or squares > old[2]:
+            kinds = len(self.senses.length)
+            self.crowd = make_crowd(room, max(columns, old[1]), kinds, max(squares, old[2]))
+
+    def _start_anew(self, number: int) -> None:
+        """Forget the last tick's order: rows have moved."""
+        self.sorting.order[:number] = np.arange(number)

@@ -1,15 +1,20 @@
 """What minds live in during a tick, and the columns that they read and write."""
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from components.arrays import Float32s, Float64s, Int8s, Int32s, Int64s
 from components.ground import Terrain
-from components.habitat import Habitat
+from components.habitat import Habitat, daylight
 from components.index import Places
+from components.kernels import row
 from components.senses import SenseTable
-from systems.mind.crowd import Crowd
+from systems.mind.crowd import Crowd, Rows, Sorting
+from systems.mind.few import Larder, Room, sort_few
 from systems.mind.grid import Plan
 from systems.mind.sparse import Sparse
+
+COARSE: Final = 3.0
+"""Cells of the crowd's grid to a cell of the few's, at least."""
 
 
 class Scene(NamedTuple):
@@ -43,6 +48,40 @@ class Scene(NamedTuple):
     "[m] a tick ago, (F, 3)"
     there: Int8s
     "1 for each particle in the water, (F,)"
+
+
+class Stage(NamedTuple):
+    """What a scene is made of each tick, and what has room for it."""
+
+    plan: Plan
+    sorting: Sorting
+    rows: Rows
+    crowd: Crowd
+    senses: SenseTable
+    terrain: Terrain
+    habitat: Habitat
+    larder: Larder
+    room: Room
+    places: Places
+    submarine: Float64s
+    "[m], (K, 3)"
+    submarine_velocity: Float64s
+    "[m/s], (K, 3)"
+
+
+@row
+def look(stage: Stage, now: int, seed: int, number: int, particles: int, submarines: int) -> Scene:
+    """Return the scene of the tick `now`, with `number` fishes, whose crowd is sorted already."""
+    hunters, willing, food = sort_few(
+        stage.crowd, number, stage.senses, stage.larder, particles, now, stage.terrain.depth,
+        COARSE * stage.plan.cell, stage.room,
+    )  # fmt: skip
+    return Scene(
+        now, seed, daylight(stage.habitat, now), stage.plan, stage.crowd, stage.senses, stage.terrain,
+        stage.habitat, hunters, food, willing, stage.places, stage.submarine,
+        stage.submarine_velocity, submarines, stage.larder.position, stage.larder.last_position,
+        stage.room.there,
+    )  # fmt: skip
 
 
 class Minds(NamedTuple):

@@ -10,16 +10,16 @@ import numba
 import numpy as np
 
 from components.arrays import Float64s, Int8s
-from components.kernels import Launch, inlined, loop, row
+from components.kernels import inlined, loop, row
 from systems.mind.crowd import Crowd
-from systems.mind.grid import SERIAL_BELOW, Plan
+from systems.mind.grid import Plan
 
 FIXED: Final = 65536.0
 """Whole numbers to a metre, or to a unit of heading, in the sums."""
 
 
 @row
-def _gather_strip(strip: int, plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
+def _sum_strip(strip: int, plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
     """Sum the shoals over one strip of squares, which no other strip touches."""
     crowd.shoal[:, strip * plan.squares : (strip + 1) * plan.squares] = 0
     begin = crowd.first[strip * plan.block * plan.columns]
@@ -51,29 +51,17 @@ def _gather_strip(strip: int, plan: Plan, schooling: Int8s, crowd: Crowd) -> Non
 
 
 @row
-def _gather_serially(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
+def sum_serially(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
+    """Sum the shoals of a crowd on this thread; `schooling` is per species, (S,)."""
     for strip in range(plan.squares):
-        _gather_strip(strip, plan, schooling, crowd)
+        _sum_strip(strip, plan, schooling, crowd)
 
 
 @loop
-def _gather_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
+def sum_on_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
+    """Sum the shoals of a crowd on all threads; `schooling` is per species, (S,)."""
     for strip in numba.prange(plan.squares):
-        _gather_strip(strip, plan, schooling, crowd)
-
-
-class Shoals:
-    """Sums the shoals of a crowd each tick, on all threads where there are many fishes."""
-
-    def __init__(self) -> None:
-        self._serially, self._on_all = Launch(_gather_serially), Launch(_gather_all)
-
-    def sum(self, plan: Plan, schooling: Int8s, crowd: Crowd, number: int) -> None:
-        """Sum the shoals of a crowd of `number` fishes; `schooling` is per species, (S,)."""
-        if number < SERIAL_BELOW:
-            self._serially(plan, schooling, crowd)
-        else:
-            self._on_all(plan, schooling, crowd)
+        _sum_strip(strip, plan, schooling, crowd)
 
 
 @inlined

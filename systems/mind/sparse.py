@@ -92,9 +92,7 @@ def sort_sparse(
     """
     cell, side, layers = divide_coarsely(room.extent, depth, number, least)
     first = room.first
-    sparse = Sparse(
-        cell, room.extent, side, layers, number, first, room.x, room.y, room.z, room.what, room.step
-    )
+    sparse = divided(room, (cell, side, layers, number))
     first[: side * side * layers + 2] = 0
     for k in range(number):
         i, j, h = _index(sparse, x[what[k]], y[what[k]], z[what[k]])
@@ -113,6 +111,15 @@ def sort_sparse(
         room.x[at], room.y[at], room.z[at] = x[named], y[named], z[named]
         room.what[at] = named
     return cell, side, layers, number
+
+
+@inlined
+def divided(room: Sparse, cells: tuple[float, int, int, int]) -> Sparse:
+    """Return `room` as `sort_sparse` says that it is divided."""
+    cell, side, layers, number = cells
+    return Sparse(
+        cell, room.extent, side, layers, number, room.first, room.x, room.y, room.z, room.what, room.step
+    )  # fmt: skip
 
 
 @inlined
@@ -156,26 +163,10 @@ def list_sparse(
     return many
 
 
-class SparseGrid:
-    """Scratch: room for a few, and where they are."""
-
-    def __init__(self, terrain: Terrain) -> None:
-        layers = max(1, ceil(terrain.depth * _MOST_SIDE / (2.0 * terrain.radius)))
-        self._first = np.zeros(_MOST_SIDE * _MOST_SIDE * layers + 2, np.int32)
-        self.sparse = Sparse(0.0, terrain.radius, 0, 0, 0, self._first, *_room(0))
-
-    def fit(self, number: int) -> None:
-        """Make room for `number` points."""
-        if number > len(self.sparse.what):
-            self.sparse = Sparse(*self.sparse[:5], self._first, *_room(2 * number))
-
-    def divided(self, cell: float, side: int, layers: int, number: int) -> None:
-        """Say how cells are laid out and how many points lie in them, units as in `Sparse`."""
-        old = self.sparse
-        if (cell, side, layers, number) != (old.cell, old.side, old.layers, old.number):
-            self.sparse = Sparse(cell, old.extent, side, layers, number, *old[5:])
-
-
-def _room(number: int) -> tuple[Float64s, Float64s, Float64s, Int32s, Int32s]:
-    x, y, z = np.zeros(number), np.zeros(number), np.zeros(number)
-    return x, y, z, np.zeros(number, np.int32), np.ones(1, np.int32)
+def make_sparse(terrain: Terrain, capacity: int) -> Sparse:
+    """Return room for `capacity` points of a world."""
+    layers = max(1, ceil(terrain.depth * _MOST_SIDE / (2.0 * terrain.radius)))
+    first = np.zeros(_MOST_SIDE * _MOST_SIDE * layers + 2, np.int32)
+    x, y, z = (np.zeros(capacity) for _ in range(3))
+    what, step = np.zeros(capacity, np.int32), np.ones(1, np.int32)
+    return Sparse(0.0, terrain.radius, 0, 0, 0, first, x, y, z, what, step)

@@ -11,40 +11,39 @@ from typing import Final
 import numba
 
 from components.arrays import Float64s, Int8s
-from components.chance import WHIM, uniform
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
 from components.food import FoodTable
 from components.ground import Terrain
-from components.habitat import STILL, Habitat, daylight
+from components.habitat import STILL, Habitat
 from components.index import Places
 from components.kernels import Launch, loop, merged, row
-from components.mind import SUBMARINE, Role, Why
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
 from components.table import Columns
-from systems.mind.act import NONE, act, place_of
+from systems.mind.act import act, place_of
 from systems.mind.attention import (
     BATCH,
-    NO_DANGER,
     Attention,
     Thoughts,
     make_attention,
     make_thoughts,
 )
 from systems.mind.crowd import Crowd
+from systems.mind.decide import decide
 from systems.mind.few import Few
-from systems.mind.grid import PIECES, SERIAL_BELOW, Grid, Plan, scattered
+from systems.mind.grid import (
+    PIECES,
+    SERIAL_BELOW,
+    Grid,
+    Plan,
+    scattered,
+    sort_on_all,
+    sort_serially,
+)
 from systems.mind.intend import (
-    AVOID_FISH,
     EAT,
-    ESCAPE,
     MATE,
-    OBEY,
-    SCHOOL,
-    Held,
-    Percept,
-    intend,
 )
 from systems.mind.notice import (
     notice_company,
@@ -53,103 +52,13 @@ from systems.mind.notice import (
     notice_shoals,
     notice_submarine,
 )
-from systems.mind.scene import Minds, Scene
-from systems.mind.shoal import Shoals
+from systems.mind.scene import Minds, Scene, Stage, look
+from systems.mind.shoal import sum_on_all, sum_serially
 from systems.mind.sparse import Sparse
-from systems.mind.want import curiosity, habits, is_timid, want_mates, want_meals
+from systems.mind.want import want_mates, want_meals
 
 LATEST_TICKS: Final = 8
 """[ticks] after which a fish thinks, whoever's turn it is."""
-
-_PLAYER: Final = int(Why.PLAYER)
-_CURIOSITY: Final = int(Why.CURIOSITY)
-_PREDATOR: Final = int(Role.PREDATOR)
-
-
-@merged
-def _take_up(
-    scene: Scene, me: int, minds: Minds, intention: int, memory: int, threat: bool
-) -> None:
-    """Remember what begins, what is interrupted, and what courtship ends with it."""
-    i = scene.crowd.row[me]
-    previous = minds.intention[i]
-    if intention != previous or threat:
-        minds.since[i] = scene.now
-    if memory >= 0 and memory != minds.memory[i]:
-        minds.memory_focus[i] = minds.focus[i]
-    courts = intention == MATE or memory == MATE
-    begins = intention == MATE and previous != MATE and minds.courtship[i] == NONE
-    if begins or (not courts and minds.courtship[i] != NONE):
-        minds.courtship[i], minds.courtship_since[i] = NONE, scene.now
-    minds.intention[i], minds.memory[i] = intention, memory
-
-
-@merged
-def _attend(crowd: Crowd, intention: int, why: int, thoughts: Thoughts, k: int) -> int:
-    """Return the focus that passes: what the intention is about."""
-    predator, scare = thoughts.predator[k], thoughts.scare[k]
-    when, meets = thoughts.when[k], thoughts.meets[k]
-    if intention == EAT:
-        return int(thoughts.meal[k])
-    if intention == MATE:
-        return int(crowd.id[thoughts.mate[k]])
-    if intention == SCHOOL and thoughts.found[k] > 0:
-        return int(crowd.id[thoughts.near[k, 0]])
-    if intention == ESCAPE and predator >= 0 and thoughts.worst[k] > scare:
-        return int(crowd.id[predator])
-    if intention == AVOID_FISH and when < NO_DANGER and when <= meets:
-        return int(crowd.id[thoughts.other[k]])
-    submarine = (
-        why == _CURIOSITY
-        or (intention == ESCAPE and scare > 0.0)
-        or (intention == AVOID_FISH and meets < when)
-    )
-    return SUBMARINE if submarine else -1
-
-
-@merged
-def _decide_one(scene: Scene, minds: Minds, thoughts: Thoughts, k: int) -> None:
-    """Choose one mind's intention, and what it is about."""
-    crowd, senses, me = scene.crowd, scene.senses, thoughts.me[k]
-    i, kind = crowd.row[me], crowd.species[me]
-    role, previous = senses.role[kind], thoughts.previous[k]
-    much, thoughts.rise[k] = habits(scene, me)
-    curious = 0.0
-    if scene.submarines > 0:
-        curious = curiosity(
-            role, senses.curiosity[kind], senses.sight[kind], scene.habitat.visibility,
-            thoughts.away[k], scene.seed, scene.now, crowd.id[me],
-        )  # fmt: skip
-    company = 0
-    if senses.schooling[kind] != 0:
-        company = thoughts.found[k] + int(thoughts.number[k] > 0.0)
-    collision = min(thoughts.when[k], thoughts.meets[k])
-    percept = Percept(
-        thoughts.obstacle[k], collision, collision < NO_DANGER, is_timid(role, senses.hunted[kind]),
-        minds.fear[i], minds.danger[i], company, minds.hunger[i], minds.libido[i],
-        thoughts.meal[k] != -1, thoughts.mate[k] >= 0, role == _PREDATOR, minds.focus[i] >= 0,
-        much, curious,
-        minds.hunger[i] == minds.libido[i]
-        and uniform(scene.seed, WHIM, scene.now, crowd.id[me]) < 0.5,
-    )  # fmt: skip
-    held = Held(previous, minds.why[i], minds.since[i], minds.memory[i])
-    intention, why, value, memory = intend(scene.now, held, percept)
-    _take_up(scene, me, minds, intention, memory, collision < NO_DANGER)
-    minds.why[i], minds.why_value[i] = why, value
-    minds.focus[i] = _attend(crowd, intention, why, thoughts, k)
-
-
-@merged
-def decide(scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int) -> None:
-    """Choose what each means to do; who obeys the player keeps to that."""
-    for k in range(begin, end):
-        i = scene.crowd.row[thoughts.me[k]]
-        minds.fear[i], minds.thought_at[i] = thoughts.fear[k], scene.now
-        minds.danger[i] = max(thoughts.worst[k], thoughts.scare[k])
-        if thoughts.previous[k] == OBEY:
-            minds.why[i], minds.why_value[i] = _PLAYER, 0.0
-        else:
-            _decide_one(scene, minds, thoughts, k)
 
 
 @merged
@@ -237,6 +146,34 @@ def think_all(
         think_some(scene, begin, end, minds, thoughts, attention, piece)
 
 
+@row
+def think_serially(
+    stage: Stage, now: int, seed: int, number: int, particles: int, submarines: int, minds: Minds,
+    thoughts: Thoughts, attention: Attention,
+) -> None:  # fmt: skip
+    """Sort the fishes, look, and think, on this thread."""
+    sort_serially(number, stage.plan, stage.sorting, stage.rows, stage.crowd)
+    sum_serially(stage.plan, stage.senses.schooling, stage.crowd)
+    scene = look(stage, now, seed, number, particles, submarines)
+    think_some(scene, 0, number, minds, thoughts, attention, 0)
+
+
+@row
+def think_on_all(
+    pieces: int, stage: Stage, now: int, seed: int, number: int, particles: int, submarines: int,
+    minds: Minds, thoughts: Thoughts, attention: Attention,
+) -> None:  # fmt: skip
+    """Sort the fishes, look, and think, on all threads, to the same bits as `think_serially`."""
+    sort_on_all(pieces, number, stage.plan, stage.sorting, stage.rows, stage.crowd)
+    sum_on_all(stage.plan, stage.senses.schooling, stage.crowd)
+    s = look(stage, now, seed, number, particles, submarines)
+    think_all(
+        pieces, s.now, s.seed, s.day, s.plan, s.crowd, s.senses, s.terrain, s.habitat, s.hunters, s.food,
+        s.willing, s.places, s.submarine, s.submarine_velocity, s.submarines, s.food_position,
+        s.food_last, s.there, number, minds, thoughts, attention,
+    )  # fmt: skip
+
+
 class Think:
     """Reads fishes, senses, terrain, submarine, food, habitat and clock; writes minds and the motors' demands.
 
@@ -256,34 +193,32 @@ class Think:
         self.population, self.senses, self.terrain = population, senses, terrain
         self.submarine, self.clock = submarine, clock
         self.food, self.habitat = FoodTable() if food is None else food, habitat
-        self.grid = Grid(population, terrain, senses)
-        self.few = Few(terrain, senses, self.food, clock)
+        self.grid, self.few = Grid(population, terrain, senses), Few(terrain, self.food)
         self._attention, self._thoughts = make_attention(), make_thoughts()
-        self._shoals = Shoals()
         self._minds = Columns(Minds, population.mind, population.motor, population.fish)
-        self._daylight = Launch(daylight)
-        self._think_some, self._think_all = Launch(think_some), Launch(think_all)
+        self._serially, self._on_all = Launch(think_serially), Launch(think_on_all)
 
     def __call__(self) -> None:
         """Advance the minds by one tick."""
-        number, now, grid = self.population.count, self.clock.now, self.grid
+        number, now = self.population.count, self.clock.now
         if number == 0:
             return
-        grid.sort(reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0)
-        self._shoals.sum(grid.plan, self.senses.schooling, grid.crowd, number)
-        self.few.sort(grid.crowd, number, 3.0 * grid.plan.cell)
-        scene, minds = self._scene(now), self._minds()
+        self.grid.prepare(reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0)
+        self.few.prepare(number)
+        given = (
+            self._stage(), now, int(self.clock.seed[0]), number, self.food.count,
+            self.submarine.count, self._minds(), self._thoughts, self._attention,
+        )  # fmt: skip
         if number < SERIAL_BELOW:
-            self._think_some(scene, 0, number, minds, self._thoughts, self._attention, 0)
+            self._serially(*given)
         else:
-            self._think_all(PIECES, *scene, number, minds, self._thoughts, self._attention)
+            self._on_all(PIECES, *given)
 
-    def _scene(self, now: int) -> Scene:
-        """Return the world as minds find it this tick."""
-        few, grid, submarine, larder = self.few, self.grid, self.submarine, self.few.larder
-        return Scene(
-            now, int(self.clock.seed[0]), self._daylight(self.habitat, now), grid.plan, grid.crowd,
-            self.senses, self.terrain, self.habitat, few.hunters.sparse, few.edible.sparse,
-            few.willing.sparse, self.population.index.places, submarine.position, submarine.velocity,
-            submarine.count, larder.position, larder.last_position, few.there,
+    def _stage(self) -> Stage:
+        """Return what the tick's scene is made of."""
+        grid, few, submarine = self.grid, self.few, self.submarine
+        return Stage(
+            grid.plan, grid.sorting, grid.rows(), grid.crowd, self.senses, self.terrain, self.habitat,
+            few.larder(), few.room, self.population.index.places, submarine.position,
+            submarine.velocity,
         )  # fmt: skip

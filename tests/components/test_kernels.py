@@ -41,6 +41,41 @@ print(*hits)
 """
 
 
+LOOPS = '''"""A parallel loop that two kernels call."""
+
+import numba
+
+from components.kernels import loop, row
+
+
+@loop
+def fill(values):
+    for k in numba.prange(len(values)):
+        values[k] = k
+
+
+@row
+def one(values):
+    fill(values)
+    return values[-1]
+
+
+@row
+def other(values):
+    fill(values)
+    return values[1]
+'''
+
+CALLS = """
+import sys
+import numpy as np
+sys.path.insert(0, sys.argv[1])
+import loops_of_a_test
+kernel = getattr(loops_of_a_test, sys.argv[2])
+print(int(kernel(np.zeros(1000))), sum(kernel.stats.cache_hits.values()))
+"""
+
+
 def _run(folder: Path, cache: Path | None, **environment: str) -> list[str]:
     """Call the kernels in a process of their own; return the answers and the hits of the cache."""
     variables = {**os.environ, **environment}
@@ -155,3 +190,18 @@ def test_the_user_s_cache_folder_holds_the_kernels(folder: Path, tmp_path: Path)
     home = {"XDG_CACHE_HOME": str(tmp_path), "HOME": str(tmp_path), "LOCALAPPDATA": str(tmp_path)}
     assert _run(folder, None, **home)[0] == "5.0 6.0 6"
     assert [p for p in _files(tmp_path) if p.name.startswith("kernels_of_a_test.outer.row")]
+
+
+def test_a_kernel_from_the_cache_starts_the_threads_of_a_loop_that_it_calls(tmp_path: Path) -> None:
+    (tmp_path / "loops_of_a_test.py").write_text(LOOPS)
+    told = []
+    for kernel in ("one", "other", "other"):
+        result = subprocess.run(
+            [sys.executable, "-c", CALLS, str(tmp_path), kernel],
+            env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path / "cache")},
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        told.append(result.stdout.strip())
+    assert told == ["999 0", "1 0", "1 1"]

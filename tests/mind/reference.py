@@ -15,6 +15,7 @@ from components.habitat import daylight, light, temperature
 from components.mind import FOOD, SUBMARINE
 from components.terrain import clearance, ground_height, in_sight
 from components.trigonometry import arc
+from systems.mind.sparse import divide_coarsely
 
 NOBODY = 1e9
 WANDER, OBSTACLE, AVOID, SCHOOL, EAT, MATE, LEAVE, ESCAPE = range(8)
@@ -123,10 +124,21 @@ class Reference:
         self.bodies.sort(key=lambda b: (*b.cell, b.id))
         self.at = {b.id: k for k, b in enumerate(self.bodies)}
         self.day = daylight(self.world.habitat, self.now)
+        self._hunting = sum(senses.hunts[b.species] != 0 for b in self.bodies)
+        self._willing = sum(self._would(b) for b in self.bodies)
         mind = self.world.population.mind
         fresh = {b.id: self._mind(b) for b in self.bodies if mind.thought_at[b.row] == self.now}
         self.minds.update(fresh)
         return fresh
+
+    def _would(self, body: Body) -> bool:
+        its = self.minds[body.id]
+        courts = its.libido >= 0.25 or (its.intention == MATE and its.focus >= 0)
+        return courts and self.sense.schooling[body.species] == 0
+
+    def _coarse(self, number: int) -> float:
+        terrain = self.world.terrain
+        return divide_coarsely(terrain.radius, terrain.depth, number, 3.0 * self.plan.cell)[0]
 
     def _cell(self, at: tuple[float, ...]) -> tuple[int, int]:
         plan = self.plan
@@ -183,7 +195,7 @@ class Reference:
 
     def _hunters(self, me: Body, target: int) -> tuple[list[tuple[float, Body]], float, int]:
         sense, kind, hunters, when, who = self.sense, me.species, [], NOBODY, -1
-        far = min(self.world.habitat.visibility, self.think.few.hunters.sparse.cell)
+        far = min(self.world.habitat.visibility, self._coarse(self._hunting))
         for other in self.bodies:
             if not sense.hunts[other.species] or other.id == me.id:
                 continue
@@ -328,7 +340,7 @@ class Reference:
                 return prey, far
         if not sense.grazes[kind] or not self.food:
             return -1, NOBODY
-        reach = min(1.5 * sense.sight[kind], self.think.few.edible.sparse.cell)
+        reach = min(1.5 * sense.sight[kind], self._coarse(len(self.food)))
 
         def square(k: int) -> float:
             d = offset(me.at, self.food[k])
@@ -358,7 +370,7 @@ class Reference:
         return self._seek_mate(me)
 
     def _seek_mate(self, me: Body) -> tuple[int, float]:
-        far = min(self.world.habitat.visibility, self.think.few.willing.sparse.cell)
+        far = min(self.world.habitat.visibility, self._coarse(self._willing))
         sight, best, least = self.sense.sight[me.species], -1, far * far
         for other in self.bodies:
             d = offset(me.at, other.at)

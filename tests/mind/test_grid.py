@@ -8,7 +8,6 @@ import pytest
 from systems.mind.attention import NEIGHBOURS, make_attention
 from systems.mind.gather import gather
 from systems.mind.perceive import LATERAL_LINE, nearest_of_kind, see_around
-from systems.mind.shoal import Shoals
 
 
 def nearest_by_brute_force(pond, me: int, reach: float) -> list[int]:  # type: ignore[no-untyped-def]
@@ -34,7 +33,7 @@ def test_neighbours_are_those_of_brute_force(
 ) -> None:
     scene = pond.Pond(sardines, tangs, spread=spread)
     grid, attention = scene.think.grid, make_attention()
-    grid.sort()
+    scene.think()
     plan, crowd = grid.plan, grid.crowd
     several = 0
     for place in range(0, sardines + tangs, 7):
@@ -51,7 +50,7 @@ def test_neighbours_are_those_of_brute_force(
 def test_every_fish_stands_in_its_column_once(pond: ModuleType) -> None:
     scene = pond.Pond(300, 50, spread=5.0)
     grid = scene.think.grid
-    grid.sort()
+    scene.think()
     crowd, side = grid.crowd, grid.plan.columns
     assert sorted(crowd.row[:350].tolist()) == list(range(350))
     assert crowd.first[0] == 0
@@ -66,8 +65,7 @@ def test_every_fish_stands_in_its_column_once(pond: ModuleType) -> None:
 
 def test_shoals_count_the_schooling_alone(pond: ModuleType) -> None:
     scene = pond.Pond(120, 30, spread=4.0)
-    scene.think.grid.sort()
-    Shoals().sum(scene.think.grid.plan, scene.senses.schooling, scene.think.grid.crowd, 150)
+    scene.think()
     squares = scene.think.grid.plan.squares**2
     numbers = scene.think.grid.crowd.shoal[:, :squares, 0].sum(axis=1)
     assert numbers.tolist() == [120, 0]

@@ -13,6 +13,7 @@ from components.repertoire import Pattern
 from components.segment import MIRROR_IMAGES
 from components.submarine import HULL_RADIUS
 from reefgame.content import Content, load
+from reefgame.schedule import System
 from reefgame.world import World
 from systems.motor.columns import Bodies, Motors, bodies, motors
 from systems.motor.contract import contract
@@ -196,7 +197,7 @@ def test_a_simulated_fish_swims_as_a_replayed_one() -> None:
     ways = []
     for fishes in (0, 50):
         world = World.build(CONTENT, 1, fishes)
-        moving = [_swim_of(world).move, *([_live_of(world)] if fishes else [])]
+        moving: list[System] = [_swim_of(world).move, *([_live_of(world)] if fishes else [])]
         rows = np.arange(world.population.count)
         order = np.argsort(world.population.fish.id[rows])
         for tick in range(70):
