@@ -90,6 +90,10 @@ class MotorTable(Table):
     for, at leisure too; turns are played as captured. `gear_for_speed` finds both for a speed, (capacity,)"""
     pace: Float64s = column(np.float64, fill=1.0)
     "the speed over the segment's own that is played now, (capacity,)"
+    mood: Int8s = column(np.int8)
+    "the gear preferred at leisure to the one asked for: -1, 0 or 1 beside it, (capacity,)"
+    mood_until: Int32s = column(np.int32)
+    "[tick] at which another mood is drawn, (capacity,)"
     steer: Float64s = column(np.float64, 3)
     "rotation vector [rad] of this tick's fine steering, world axes, (capacity, 3)"
     segment: Int32s = column(np.int32)

@@ -48,10 +48,6 @@ MOOD_TICKS: Final = 150
 MOOD_SPREAD: Final = 128
 """[ticks] of which a share, drawn by the fish's id, comes on top; a power of two."""
 
-HABIT: Final = 1 << 40
-"""Where the stream of segments, elsewhere counted by ticks, holds each fish's habits."""
-
-
 HALF_TURN: Final = 3.141592653589793
 """[rad]"""
 
@@ -88,27 +84,26 @@ def gaits(library: RepertoireLibrary) -> Gaits:
 
 
 @inlined
-def mood(seed: int, tick: int, identity: int) -> int:
-    """Return the gear that a fish at leisure prefers to the one asked for: -1, 0 or 1 beside it.
+def draw_mood(seed: int, tick: int, identity: int) -> tuple[int, int]:
+    """Return the gear that a fish at leisure prefers to the one asked for, -1, 0 or 1 beside it, and until which tick.
 
     Each fish draws a new one every few seconds, at ticks of its own, so that no school swims in
     lockstep (6.1's recommendation to switch at random).
     """
-    habit = chance.draw(seed, chance.SEGMENT, HABIT, identity)
-    lasts = MOOD_TICKS + int(habit & np.uint64(MOOD_SPREAD - 1))
-    started = (tick + int((habit >> np.uint64(16)) & np.uint64(0xFFFF))) // lasts
-    drawn = chance.uniform(seed, chance.SEGMENT, started, identity)
-    return -1 if drawn < 0.2 else (1 if drawn > 0.85 else 0)
+    drawn = chance.draw(seed, chance.SEGMENT, tick, identity)
+    until = tick + MOOD_TICKS + int(drawn & np.uint64(MOOD_SPREAD - 1))
+    share = np.float64(drawn >> np.uint64(11)) * (1.0 / 9007199254740992.0)
+    return -1 if share < 0.2 else (1 if share > 0.85 else 0), until
 
 
 @inlined
-def swim_of_gear(gear: int, hurry: float, free: bool, seed: int, tick: int, identity: int) -> int:
-    """Return the pattern of the swim for a demanded gear: at leisure slow and medium may change.
+def swim_of_gear(gear: int, hurry: float, free: bool, mood: int) -> int:
+    """Return the pattern of the swim for a demanded gear: at leisure slow and medium may change, as the mood is.
 
     A fish that is not `free`, for it is asked for a speed of its own, keeps to the gear.
     """
     if free and hurry < LEISURE and gear < Pattern.SWIM_FAST.value:
-        gear = max(0, min(Pattern.SWIM_MEDIUM.value, gear + mood(seed, tick, identity)))
+        gear = max(0, min(Pattern.SWIM_MEDIUM.value, gear + mood))
     return Pattern.SWIM_SLOW.value + max(0, min(Pattern.SWIM_FAST.value, gear))
 
 

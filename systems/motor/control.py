@@ -19,7 +19,15 @@ from components.fish import Population
 from components.kernels import Launch, inlined, loop, row
 from components.repertoire import Pattern, RepertoireLibrary
 from components.table import Columns
-from systems.motor.choose import HALF_TURN, Gaits, after, gaits, pick, swim_of_gear
+from systems.motor.choose import (
+    HALF_TURN,
+    Gaits,
+    after,
+    draw_mood,
+    gaits,
+    pick,
+    swim_of_gear,
+)
 
 PARALLEL_FROM: Final = 500
 CHUNKS: Final = 64
@@ -66,6 +74,8 @@ class Controlled(NamedTuple):
     frame: Int32s
     warp_length: Int32s
     wanted: Int32s
+    mood: Int8s
+    mood_until: Int32s
     steer: Float64s
 
 
@@ -141,7 +151,9 @@ def control_rows(
         current = fish.segment[i]
         yaw = _yaw_left(r, g, steer[2])
         free = fish.throttle[i] == 1.0
-        swim = swim_of_gear(fish.gear[i], hurry, free, seed, tick, fish.id[i])
+        if tick >= fish.mood_until[i]:
+            fish.mood[i], fish.mood_until[i] = draw_mood(seed, tick, fish.id[i])
+        swim = swim_of_gear(fish.gear[i], hurry, free, fish.mood[i])
         segments = gaits.segment[fish.species[i]]
         frame = fish.frame[i]
         wanted = pick(segments, gaits, current, swim, yaw, frame, fish.held[i], hurry)
@@ -166,7 +178,7 @@ def control_parallel(count: int, fish: Controlled, gaits: Gaits, seed: int, tick
 
 class Control:
     """Reads heading, gear, urgency, throttle, pace, segment, held, warp, rotation, species, id, the library and the
-    clock; writes the wanted segment and steer."""
+    clock; writes moods, the wanted segment and steer."""
 
     def __init__(self, population: Population, library: RepertoireLibrary, clock: Clock) -> None:
         self.population = population
