@@ -45,8 +45,6 @@ class Crowd(NamedTuple):
     "stable id"
     species: Int32s
     "row in the species table"
-    intention: Int8s
-    "the `Intention` of the last thought"
     phase: Int8s
     "the `Courtship`"
     courting: Int64s
@@ -138,7 +136,7 @@ def _copy_one(k: int, i: int, sorting: Sorting, rows: Rows, crowd: Crowd) -> Non
     dz = z - rows.last_position[i, 2]
     crowd.speed[k] = 60.0 * sqrt(dx * dx + dy * dy + dz * dz)
     crowd.length[k], crowd.id[k], crowd.species[k] = rows.length[i], rows.id[i], rows.species[i]
-    crowd.intention[k], crowd.phase[k] = rows.intention[i], rows.courtship[i]
+    crowd.phase[k] = rows.courtship[i]
     crowd.courting[k] = rows.focus[i] if rows.intention[i] == _MATE else -1
     crowd.ready[k] = rows.libido[i] >= READY
     crowd.row[k], crowd.place[i] = i, k
@@ -192,7 +190,6 @@ def make_crowd(capacity: int, columns: int, kinds: int, squares: int) -> Crowd:
         *(reals(), reals(), reals(), reals(), reals(), reals(), reals(), reals()),
         id=np.zeros(capacity, np.int64),
         species=wholes(),
-        intention=np.zeros(capacity, np.int8),
         phase=np.zeros(capacity, np.int8),
         courting=np.full(capacity, -1, np.int64),
         ready=np.zeros(capacity, np.int8),

@@ -69,23 +69,24 @@ def play_entries(
     shares add up to the whole entry, so that cycles close as captured at any rate.
     """
     first, length, loops = track.start[segment], track.length[segment], track.loops[segment]
-    x = y = z = 0.0
-    axes = axes_of(0.0, 0.0, 0.0)
-    while end > 0.0:
-        t, turn = track.translation[first + frame], track.turn[first + frame]
-        share = min(end, 1.0) - begun
-        far = size * share
-        u, v, w = turned(t[0], t[1], t[2], -begun * turn[0], -begun * turn[1], -begun * turn[2])
-        u, v, w = _in_axes(axes, far * u, far * v, far * w)
-        x, y, z = x + u, y + v, z + w
-        a, b, c = axes_of(share * turn[0], share * turn[1], share * turn[2])
-        axes = _in_axes(axes, *a), _in_axes(axes, *b), _in_axes(axes, *c)
-        if end < 1.0:
-            return frame, end, (x, y, z), axes
+    t, turn = track.translation[first + frame], track.turn[first + frame]
+    share = min(end, 1.0) - begun
+    far = size * share
+    x, y, z = turned(t[0], t[1], t[2], -begun * turn[0], -begun * turn[1], -begun * turn[2])
+    x, y, z = far * x, far * y, far * z
+    axes = axes_of(share * turn[0], share * turn[1], share * turn[2])
+    while end >= 1.0:
         end -= 1.0
-        begun = 0.0
         frame = 0 if frame + 1 == length and loops else frame + 1
-    return frame, 0.0, (x, y, z), axes
+        if end > 0.0:
+            t, turn = track.translation[first + frame], track.turn[first + frame]
+            share = min(end, 1.0)
+            far = size * share
+            u, v, w = _in_axes(axes, far * t[0], far * t[1], far * t[2])
+            x, y, z = x + u, y + v, z + w
+            a, b, c = axes_of(share * turn[0], share * turn[1], share * turn[2])
+            axes = _in_axes(axes, *a), _in_axes(axes, *b), _in_axes(axes, *c)
+    return frame, end, (x, y, z), axes
 
 
 @row
