@@ -59,6 +59,8 @@ class Terrain(NamedTuple):
     "rocks within `ROCK_REACH` of each square, square by square"
     roof: Float64s
     "[m] z above which neither ground nor rock is within `ROOF_REACH` of a square, (rock_squares^2,)"
+    top: Float64s
+    "[m] z above which neither ground nor rock is in a square, (rock_squares^2,)"
 
     def with_rocks(self, rocks: Sequence[Rock]) -> "Terrain":
         """Return this world with these rocks and no others. Raise ValueError for a radius <= 0."""
@@ -71,27 +73,30 @@ class Terrain(NamedTuple):
             rock_squares=side,
             rock_first=first,
             rock_list=listed,
-            roof=self._roof(side, centre, radii, axes),
+            roof=self._highest(ROOF_REACH, side, centre, radii, axes),
+            top=self._highest(0.0, side, centre, radii, axes),
         )
 
-    def _roof(self, side: int, centre: Float64s, radii: Float64s, axes: Float64s) -> Float64s:
-        """Return the highest ground or rock within `ROOF_REACH` of each square, (side^2,)."""
+    def _highest(
+        self, reach: float, side: int, centre: Float64s, radii: Float64s, axes: Float64s
+    ) -> Float64s:
+        """Return the highest ground or rock within `reach` [m] of each square, (side^2,)."""
         last = len(self.height) - 1
         # Squares at the border also serve what lies beyond the grid.
         strips = [
             slice(
-                min(max(floor((i * SQUARE - ROOF_REACH) / self.cell), 0), last),
-                min(ceil(((i + 1) * SQUARE + ROOF_REACH) / self.cell) + 1, last + 1),
+                min(max(floor((i * SQUARE - reach) / self.cell), 0), last),
+                min(ceil(((i + 1) * SQUARE + reach) / self.cell) + 1, last + 1),
             )
             for i in range(side)
         ]
         high = np.stack([self.height[strip].max(axis=0) for strip in strips])
-        roof = np.stack([high[:, strip].max(axis=1) for strip in strips], axis=1)
-        np.maximum(roof, -self.depth, out=roof)
-        first, end = squares_around(centre, radii, axes, self.extent, side, ROOF_REACH)
+        highest = np.stack([high[:, strip].max(axis=1) for strip in strips], axis=1)
+        np.maximum(highest, -self.depth, out=highest)
+        first, end = squares_around(centre, radii, axes, self.extent, side, reach)
         for (i, j), (k, m), top in zip(first, end + 1, centre[:, 2] + radii[:, 2], strict=True):
-            np.maximum(roof[i:k, j:m], top, out=roof[i:k, j:m])
-        return np.ascontiguousarray(roof).reshape(-1)
+            np.maximum(highest[i:k, j:m], top, out=highest[i:k, j:m])
+        return np.ascontiguousarray(highest).reshape(-1)
 
     def with_homes(
         self, homes: Sequence[tuple[tuple[float, ...], int]], stray: Sequence[float] = ()

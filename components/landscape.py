@@ -82,6 +82,7 @@ def build_terrain(
         rock_first=np.zeros(2, np.int32),
         rock_list=indices,
         roof=np.zeros(1),
+        top=np.zeros(1),
     )
     return bare.with_rocks(rocks).with_homes(list(zip(homes, home_species, strict=True)))
 

@@ -43,14 +43,14 @@ def _first_border(a: float, d: float, at: int, extent: float) -> float:
 
 @inlined
 def _hidden_by_ground(
-    terrain: Terrain, begin: float, end: float, share: float, roof: float,
+    terrain: Terrain, begin: float, end: float, share: float, top: float,
     ax: float, ay: float, az: float, dx: float, dy: float, dz: float,
 ) -> bool:  # fmt: skip
     """Return whether one of the line's places between the shares `begin` and `end` lies in the ground."""
     t = ceil(begin / share) * share
     while t <= end:
         z = az + t * dz
-        if z <= roof and z < ground_height(
+        if z <= top and z < ground_height(
             terrain.height, terrain.extent, terrain.cell, ax + t * dx, ay + t * dy
         ):
             return True
@@ -64,7 +64,7 @@ def in_sight(
 ) -> bool:
     """Return whether nothing of rock or ground stands between the points a and b [m].
 
-    The line goes from square to square (Amanatides and Woo 1987); one under whose roof it never dips is passed at once.
+    The line goes from square to square (Amanatides and Woo 1987); one below whose top it never dips is passed at once.
     """
     dx, dy, dz = bx - ax, by - ay, bz - az
     share = 1.0 / (int(2.0 * sqrt(dx * dx + dy * dy) / terrain.cell) + 1)
@@ -77,9 +77,9 @@ def in_sight(
     while begin < 1.0:
         end = min(border_x, border_y, 1.0)
         square = min(max(i, 0), last) * (last + 1) + min(max(j, 0), last)
-        roof = terrain.roof[square]
-        if az + begin * dz <= roof or az + end * dz <= roof:
-            if _hidden_by_ground(terrain, begin, end, share, roof, ax, ay, az, dx, dy, dz):
+        top = terrain.top[square]
+        if az + begin * dz <= top or az + end * dz <= top:
+            if _hidden_by_ground(terrain, begin, end, share, top, ax, ay, az, dx, dy, dz):
                 return False
             for at in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
                 if _rock_hides(terrain, terrain.rock_list[at], ax, ay, az, bx, by, bz):

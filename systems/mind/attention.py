@@ -73,6 +73,8 @@ class Thoughts(NamedTuple):
     "the intention before this thought"
     target: Int32s
     "place in the crowd of its meal or mate, -1 for none"
+    looks: Int8s
+    "1 for who looks round for hunters, food and mates in this thought"
     found: Int32s
     "nearest of its kind listed"
     near: Int64s

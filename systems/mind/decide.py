@@ -74,8 +74,9 @@ def _decide_one(scene: Scene, minds: Minds, thoughts: Thoughts, k: int) -> None:
     crowd, senses, me = scene.crowd, scene.senses, thoughts.me[k]
     i, kind = crowd.row[me], crowd.species[me]
     role, previous = senses.role[kind], thoughts.previous[k]
-    much, thoughts.rise[k] = habits(scene, me)
-    curious = 0.0
+    much = curious = 0.0
+    if thoughts.looks[k] != 0:
+        much, thoughts.rise[k] = habits(scene, me)
     if scene.submarines > 0:
         curious = curiosity(
             role, senses.curiosity[kind], senses.sight[kind], scene.habitat.visibility,

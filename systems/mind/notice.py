@@ -14,12 +14,11 @@ from systems.mind.gather import gather, reach_of
 from systems.mind.perceive import (
     feel_ahead,
     first_to_collide,
-    looks_round,
     meet_submarine,
     nearest_of_kind,
     see_around,
 )
-from systems.mind.scene import Minds, Scene
+from systems.mind.scene import Scene
 from systems.mind.shoal import see_shoal
 from systems.mind.sparse import list_sparse
 
@@ -67,10 +66,10 @@ def notice_shoals(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> Non
 
 @merged
 def notice_hunters(
-    scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
+    scene: Scene, thoughts: Thoughts, begin: int, end: int, attention: Attention,
     piece: int,
 ) -> None:  # fmt: skip
-    """Look for hunters, who is calm in every second thought, and fear them.
+    """Look for hunters, who looks round, and fear them.
 
     Minds near each other share a list of the hunters around.
     """
@@ -81,7 +80,7 @@ def notice_hunters(
     for k in range(begin, end):
         me = thoughts.me[k]
         thoughts.seen[k] = 0
-        if not (minds.fear[crowd.row[me]] > 0.0 or looks_round(scene.now, crowd.id[me])):
+        if thoughts.looks[k] == 0:
             continue
         dx, dy, dz = crowd.x[me] - x, crowd.y[me] - y, crowd.z[me] - z
         if dx * dx + dy * dy + dz * dz > shared:

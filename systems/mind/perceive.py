@@ -35,12 +35,6 @@ _SUBMARINE_ROOM: Final = 2.5
 
 
 @inlined
-def looks_round(now: int, identity: int) -> bool:
-    """Return whether who is calm looks far round in this thought: in every second one."""
-    return bool((now // 4 + identity) & 1 == 0)
-
-
-@inlined
 def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) -> bool:
     """Return whether what lies at the offset (dx, dy, dz) is within the 300 degree cone around h."""
     along = dx * hx + dy * hy + dz * hz

@@ -17,7 +17,7 @@ from components.food import FoodTable
 from components.ground import Terrain
 from components.habitat import STILL, Habitat
 from components.index import Places
-from components.kernels import Launch, loop, merged, row
+from components.kernels import Launch, inlined, loop, merged, row
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
 from components.table import Columns
@@ -41,10 +41,7 @@ from systems.mind.grid import (
     sort_on_all,
     sort_serially,
 )
-from systems.mind.intend import (
-    EAT,
-    MATE,
-)
+from systems.mind.intend import EAT, LEAVE, MATE
 from systems.mind.notice import (
     notice_company,
     notice_hunters,
@@ -59,6 +56,14 @@ from systems.mind.want import want_mates, want_meals
 
 LATEST_TICKS: Final = 8
 """[ticks] after which a fish thinks, whoever's turn it is."""
+
+
+@inlined
+def _looks_round(now: int, identity: int, minds: Minds, i: int) -> bool:
+    """Return whether a fish looks round for hunters, food and mates: at leisure in every second thought."""
+    about = minds.intention[i]
+    busy = (about == EAT) | (about == MATE) | (about == LEAVE) | (minds.memory[i] >= 0)
+    return bool(busy | (minds.fear[i] > 0.0) | ((now // 4 + identity) & 1 == 0))
 
 
 @merged
@@ -81,6 +86,7 @@ def list_turns(
             if previous in (EAT, MATE):
                 target = place_of(scene.places, crowd.place, minds.focus[i])
             thoughts.me[at], thoughts.previous[at], thoughts.target[at] = me, previous, target
+            thoughts.looks[at] = _looks_round(scene.now, crowd.id[me], minds, i)
             at += 1
         me += 1
     return at, me
@@ -97,7 +103,7 @@ def think_some(
         last, at = list_turns(scene, at, end, minds, thoughts, row)
         notice_company(scene, thoughts, row, last, attention, piece)
         notice_shoals(scene, thoughts, row, last)
-        notice_hunters(scene, minds, thoughts, row, last, attention, piece)
+        notice_hunters(scene, thoughts, row, last, attention, piece)
         notice_obstacles(scene, thoughts, row, last)
         notice_submarine(scene, thoughts, row, last)
         want_meals(scene, minds, thoughts, row, last, attention, piece)

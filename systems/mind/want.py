@@ -34,7 +34,6 @@ from systems.mind.intend import (
     WANTING,
     WATCHFUL,
 )
-from systems.mind.perceive import looks_round
 from systems.mind.scene import Minds, Scene
 from systems.mind.seek import LOYALTY, SMELL, seek_mate, seek_prey, smell_food, suits
 
@@ -157,12 +156,12 @@ def want_meals(
     scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
     piece: int,
 ) -> None:  # fmt: skip
-    """Feel hunger, and find a meal for it.
-
-    Who is in danger looks for none, who neither eats nor remembers to in every second thought.
-    """
+    """Feel hunger, and find a meal for it: who looks round. Who is in danger looks for none."""
     crowd, senses = scene.crowd, scene.senses
     for k in range(begin, end):
+        thoughts.meal[k] = -1
+        if thoughts.looks[k] == 0:
+            continue
         me = thoughts.me[k]
         i, kind = crowd.row[me], crowd.species[me]
         blocked = thoughts.obstacle[k] < (
@@ -173,19 +172,13 @@ def want_meals(
         urgent = blocked or threat or afraid
         stomach = in_stomach(minds.eaten[i], minds.ate_at[i], scene.now, senses.digestion[kind])
         plain = appetite(stomach, senses.appetite[kind])
-        looks = (
-            urgent
-            or minds.intention[i] == EAT
-            or minds.memory[i] == EAT
-            or looks_round(scene.now, crowd.id[me])
-        )
-        meal, far = -1, NO_DANGER
-        if looks and not urgent:
+        far = NO_DANGER
+        if not urgent:
             target = thoughts.target[k]
-            meal, far = _seek_food(scene, me, minds, plain, target, attention, piece)
-        hunger = hunger_of(plain, stimulus(crowd.length[me] / (far + 1e-9), FOOD_FAR, FOOD_NEAR))
-        minds.hunger[i] = hunger if looks else max(minds.hunger[i], hunger)
-        thoughts.urgent[k], thoughts.plain[k], thoughts.meal[k] = urgent, plain, meal
+            thoughts.meal[k], far = _seek_food(scene, me, minds, plain, target, attention, piece)
+        near = stimulus(crowd.length[me] / (far + 1e-9), FOOD_FAR, FOOD_NEAR)
+        minds.hunger[i] = hunger_of(plain, near)
+        thoughts.urgent[k], thoughts.plain[k] = urgent, plain
 
 
 @merged
@@ -193,20 +186,22 @@ def want_mates(
     scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
     piece: int,
 ) -> None:  # fmt: skip
-    """Feel libido, and find a mate for it; who is in danger looks for none."""
+    """Feel libido, and find a mate for it: who looks round. Who is in danger looks for none."""
     crowd, senses = scene.crowd, scene.senses
     for k in range(begin, end):
+        thoughts.mate[k] = -1
+        if thoughts.looks[k] == 0:
+            continue
         me = thoughts.me[k]
         i, kind = crowd.row[me], crowd.species[me]
-        mate, far, wish = -1, NO_DANGER, 0.0
+        far, wish = NO_DANGER, 0.0
         if senses.role[kind] != _PREDATOR:
             waited = float(scene.now - minds.mated_at[i])
             wish = desire(waited, senses.breeding[kind], hunger_of(thoughts.plain[k], 0.0))
         if thoughts.urgent[k] == 0 and libido_of(wish, 1.0) > WANTING * RELENT:
-            mate, far = _seek_mate(
+            thoughts.mate[k], far = _seek_mate(
                 scene, me, minds, thoughts.target[k], thoughts.found[k], thoughts.near[k],
                 thoughts.distance[k], attention, piece,
             )  # fmt: skip
         allured = stimulus(crowd.length[me] / (far + 1e-9), MATE_FAR, MATE_NEAR)
         minds.libido[i] = libido_of(wish, allured)
-        thoughts.mate[k] = mate

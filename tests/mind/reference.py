@@ -427,10 +427,11 @@ class Reference:
         target = old.focus if old.intention in (EAT, MATE) and old.focus in self.at else -1
         near, when, other = self._around(me, target)
         company = (len(near) + self._shoal(me)) if schooling else 0
-        round_now = (self.now // 4 + me.id) % 2 == 0
+        busy = old.intention in (EAT, MATE, LEAVE) or old.memory >= 0
+        looks = busy or old.fear > 0.0 or (self.now // 4 + me.id) % 2 == 0
         hunters: list[tuple[float, Body]] = []
         soon, big = NOBODY, -1
-        if old.fear > 0.0 or round_now:
+        if looks:
             hunters, soon, big = self._hunters(me, target)
         when, other = (soon, big) if soon < when else (when, other)
         fear, danger, predator = self._fear(me, hunters)
@@ -442,26 +443,26 @@ class Reference:
         urgent = blocked or threat or (timid and fear > 0.5)
         stomach = in_stomach(me.eaten, me.ate_at, self.now, sense.digestion[kind])
         plain = max(1.0 - stomach / sense.appetite[kind], -1.0)
-        looks = urgent or EAT in (old.intention, old.memory) or round_now
         meal, meal_far = -1, NOBODY
         if looks and not urgent:
             meal, meal_far = self._meal(me, old, plain, target)
         tempted = stimulus(me.length, meal_far, 1.0 / 8.0, 1.0 / 2.0)
         hunger = 0.0 if plain <= -1.0 else clamp(plain + 0.8 * tempted)
-        hunger = hunger if looks else max(old.hunger, hunger)
+        hunger = hunger if looks else old.hunger
         wish = 0.0
         if role != PREDATOR:
             waited = max(float(self.now - me.mated_at), 0.0)
             wish = min(waited / sense.breeding[kind] * (1.0 - clamp(plain)), 1.0)
         eager = min(4.0 * wish, 1.0)
         mate, mate_far = -1, NOBODY
-        if not urgent and min(wish + 0.5 * eager, 1.0) > 0.25 * 0.8:
+        if looks and not urgent and min(wish + 0.5 * eager, 1.0) > 0.25 * 0.8:
             mate, mate_far = self._mate(me, old, near, target)
         allured = stimulus(me.length, mate_far, 1.0 / 16.0, 1.0 / 4.0)
-        libido = min(wish + 0.5 * allured * eager, 1.0)
+        libido = min(wish + 0.5 * allured * eager, 1.0) if looks else old.libido
         intention, why, memory, value = self._intend(
             me, old, obstacle, min(when, meets), timid, fear, danger, company, hunger, libido,
-            meal != -1, mate >= 0, role == PREDATOR, self._unease(me), self._curious(me, far),
+            meal != -1, mate >= 0, role == PREDATOR, self._unease(me) if looks else 0.0,
+            self._curious(me, far),
         )  # fmt: skip
         focus = -1
         if intention == EAT:
