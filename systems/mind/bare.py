@@ -9,6 +9,7 @@ from components.arrays import Float64s, Int8s
 from components.clock import TICKS_PER_SECOND, Clock
 from components.fish import Population
 from components.ground import Terrain
+from components.kernel_turns import first_turn, next_turn
 from components.kernels import Launch, loop, row
 from components.senses import SenseTable
 from components.vector import point
@@ -21,7 +22,6 @@ from systems.mind.grid import (
     SERIAL_BELOW,
     Grid,
     Plan,
-    scattered,
     sort_on_all,
     sort_serially,
 )
@@ -65,13 +65,16 @@ def flock_all(
     heading: Float64s, gear: Int8s, attention: Attention,
 ) -> None:  # fmt: skip
     """Let those school whose turn it is, on all threads."""
-    for at in numba.prange(pieces):
-        piece = scattered(at, pieces)
-        begin, end = number * piece // pieces, number * (piece + 1) // pieces
-        flock_some(
-            turn, every, begin, end, plan, crowd, senses, heading, gear, attention,
-            piece,
-        )  # fmt: skip
+    turns = first_turn()
+    for _ in numba.prange(numba.get_num_threads()):
+        piece = next_turn(turns)
+        while piece < pieces:
+            begin, end = number * piece // pieces, number * (piece + 1) // pieces
+            flock_some(
+                turn, every, begin, end, plan, crowd, senses, heading, gear, attention,
+                piece,
+            )  # fmt: skip
+            piece = next_turn(turns)
 
 
 @row

@@ -10,6 +10,7 @@ import numba
 import numpy as np
 
 from components.arrays import Float64s, Int8s, Int32s, Int64s
+from components.kernel_turns import first_turn, next_turn
 from components.kernels import inlined, loop, row
 from components.mind import Intention
 
@@ -167,9 +168,13 @@ def copy_columns(
 @loop
 def copy_all(pieces: int, number: int, sorting: Sorting, rows: Rows, crowd: Crowd) -> None:
     """Copy `number` fishes on all threads, a share of the columns to each of `pieces`."""
-    for piece in numba.prange(pieces):
-        begin, end = number * piece // pieces, number * (piece + 1) // pieces
-        copy_columns(begin, end, number, sorting, rows, crowd)
+    turns = first_turn()
+    for _ in numba.prange(numba.get_num_threads()):
+        piece = next_turn(turns)
+        while piece < pieces:
+            begin, end = number * piece // pieces, number * (piece + 1) // pieces
+            copy_columns(begin, end, number, sorting, rows, crowd)
+            piece = next_turn(turns)
 
 
 def make_sorting(capacity: int) -> Sorting:

@@ -63,12 +63,6 @@ class Plan(NamedTuple):
     "whether a cell is as small as `REACH` asks; else it is wider, and fishes look as far as it is"
 
 
-@inlined
-def scattered(turn: int, pieces: int) -> int:
-    """Return the piece of a turn: threads take turns in a row, and neighbours in the crowd go to several threads."""
-    return turn % _PER_THREAD * (pieces // _PER_THREAD) + turn // _PER_THREAD
-
-
 def divide(terrain: Terrain, senses: SenseTable, counts: Int64s) -> Plan:
     """Return the plan for `counts` fishes of each species, (S,): finer for more."""
     number = int(counts.sum())

@@ -10,6 +10,7 @@ import numba
 import numpy as np
 
 from components.arrays import Float64s, Int8s
+from components.kernel_turns import first_turn, next_turn
 from components.kernels import inlined, loop, row
 from systems.mind.crowd import Crowd
 from systems.mind.grid import Plan
@@ -60,8 +61,12 @@ def sum_serially(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
 @loop
 def sum_on_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
     """Sum the shoals of a crowd on all threads; `schooling` is per species, (S,)."""
-    for strip in numba.prange(plan.squares):
-        _sum_strip(strip, plan, schooling, crowd)
+    turns = first_turn()
+    for _ in numba.prange(numba.get_num_threads()):
+        strip = next_turn(turns)
+        while strip < plan.squares:
+            _sum_strip(strip, plan, schooling, crowd)
+            strip = next_turn(turns)
 
 
 @inlined

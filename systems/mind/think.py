@@ -17,6 +17,7 @@ from components.food import FoodTable
 from components.ground import Terrain
 from components.habitat import STILL, Habitat
 from components.index import Places
+from components.kernel_turns import first_turn, next_turn
 from components.kernels import Launch, inlined, loop, merged, row
 from components.senses import SenseTable
 from components.submarine import SubmarineTable
@@ -37,7 +38,6 @@ from systems.mind.grid import (
     SERIAL_BELOW,
     Grid,
     Plan,
-    scattered,
     sort_on_all,
     sort_serially,
 )
@@ -142,14 +142,17 @@ def think_all(
 
     The scene comes in its parts: numba takes no tuple of tuples into prange.
     """
-    for turn in numba.prange(pieces):
-        piece = scattered(turn, pieces)
-        begin, end = number * piece // pieces, number * (piece + 1) // pieces
-        scene = Scene(
-            now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places, submarine,
-            submarine_velocity, submarines, food_position, food_last, there,
-        )  # fmt: skip
-        think_some(scene, begin, end, minds, thoughts, attention, piece)
+    turns = first_turn()
+    for _ in numba.prange(numba.get_num_threads()):
+        piece = next_turn(turns)
+        while piece < pieces:
+            begin, end = number * piece // pieces, number * (piece + 1) // pieces
+            scene = Scene(
+                now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places,
+                submarine, submarine_velocity, submarines, food_position, food_last, there,
+            )  # fmt: skip
+            think_some(scene, begin, end, minds, thoughts, attention, piece)
+            piece = next_turn(turns)
 
 
 @row

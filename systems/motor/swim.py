@@ -10,6 +10,7 @@ import numba
 
 from components.arrays import Float64s
 from components.ground import Terrain
+from components.kernel_turns import first_turn, next_turn
 from components.kernels import Launch, loop, row
 from systems.motor.bound import Bound, Bounded, bound_some
 from systems.motor.choose import Gaits
@@ -42,12 +43,16 @@ def swim_parallel(
     gaits: Gaits, seed: int, tick: int, bodies: Bodies, motors: Motors, track: Track,
 ) -> None:  # fmt: skip
     """Bound, control and move `count` fishes on all threads, to the same bits as `swim_rows`."""
-    for chunk in numba.prange(CHUNKS):
-        first, last = chunk * count // CHUNKS, (chunk + 1) * count // CHUNKS
-        swim_rows(
-            first, last, terrain, girth, bounded, controlled, gaits, seed, tick, bodies, motors,
-            track,
-        )  # fmt: skip
+    turns = first_turn()
+    for _ in numba.prange(numba.get_num_threads()):
+        chunk = next_turn(turns)
+        while chunk < CHUNKS:
+            first, last = chunk * count // CHUNKS, (chunk + 1) * count // CHUNKS
+            swim_rows(
+                first, last, terrain, girth, bounded, controlled, gaits, seed, tick, bodies, motors,
+                track,
+            )  # fmt: skip
+            chunk = next_turn(turns)
 
 
 class Swim:
