@@ -35,18 +35,28 @@ def _rock_hides(
 
 
 @inlined
-def _first_border(a: float, d: float, at: int, extent: float) -> float:
-    """Return the share of a line from a to a + d [m] at which it leaves the row of squares `at`; beyond 1 for never."""
+def _borders(a: float, d: float, at: int, extent: float) -> tuple[float, float]:
+    """Return the share of a line from a to a + d [m] at which it leaves the row of squares `at`, and that of a side.
+
+    Both are beyond 1 for a line that stays in its row.
+    """
+    if d == 0.0:
+        return _NEVER, _NEVER
+    a_metre = 1.0 / d
     border = (at + 1 if d > 0.0 else at) * SQUARE - extent
-    return (border - a) / d if d != 0.0 else _NEVER
+    return (border - a) * a_metre, SQUARE * abs(a_metre)
 
 
 @inlined
 def _hidden_by_ground(
-    terrain: Terrain, begin: float, end: float, share: float, top: float,
+    terrain: Terrain, begin: float, end: float, top: float,
     ax: float, ay: float, az: float, dx: float, dy: float, dz: float,
 ) -> bool:  # fmt: skip
-    """Return whether one of the line's places between the shares `begin` and `end` lies in the ground."""
+    """Return whether one of the line's places between the shares `begin` and `end` lies in the ground.
+
+    They are half a cell of the height field apart.
+    """
+    share = 1.0 / (int(2.0 * sqrt(dx * dx + dy * dy) / terrain.cell) + 1)
     t = ceil(begin / share) * share
     while t <= end:
         z = az + t * dz
@@ -67,19 +77,17 @@ def in_sight(
     The line goes from square to square (Amanatides and Woo 1987); one below whose top it never dips is passed at once.
     """
     dx, dy, dz = bx - ax, by - ay, bz - az
-    share = 1.0 / (int(2.0 * sqrt(dx * dx + dy * dy) / terrain.cell) + 1)
     last, extent = terrain.rock_squares - 1, terrain.extent
     i, j = floor((ax + extent) / SQUARE), floor((ay + extent) / SQUARE)
-    border_x, border_y = _first_border(ax, dx, i, extent), _first_border(ay, dy, j, extent)
-    wide_x = SQUARE / abs(dx) if dx != 0.0 else _NEVER
-    wide_y = SQUARE / abs(dy) if dy != 0.0 else _NEVER
+    border_x, wide_x = _borders(ax, dx, i, extent)
+    border_y, wide_y = _borders(ay, dy, j, extent)
     begin = 0.0
     while begin < 1.0:
         end = min(border_x, border_y, 1.0)
         square = min(max(i, 0), last) * (last + 1) + min(max(j, 0), last)
         top = terrain.top[square]
         if az + begin * dz <= top or az + end * dz <= top:
-            if _hidden_by_ground(terrain, begin, end, share, top, ax, ay, az, dx, dy, dz):
+            if _hidden_by_ground(terrain, begin, end, top, ax, ay, az, dx, dy, dz):
                 return False
             for at in range(terrain.rock_first[square], terrain.rock_first[square + 1]):
                 if _rock_hides(terrain, terrain.rock_list[at], ax, ay, az, bx, by, bz):

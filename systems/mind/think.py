@@ -112,6 +112,19 @@ def think_some(
         act(scene, minds, thoughts, row, last, attention, piece)
 
 
+@row
+def think_in_turn(
+    scene: Scene, pieces: int, turns: int, number: int, minds: Minds, thoughts: Thoughts,
+    attention: Attention,
+) -> None:  # fmt: skip
+    """Let those of one piece of the crowd after the other think, as long as there is one."""
+    piece = next_turn(turns)
+    while piece < pieces:
+        begin, end = number * piece // pieces, number * (piece + 1) // pieces
+        think_some(scene, begin, end, minds, thoughts, attention, piece)
+        piece = next_turn(turns)
+
+
 @loop
 def think_all(
     pieces: int,
@@ -144,15 +157,11 @@ def think_all(
     """
     turns = first_turn()
     for _ in numba.prange(numba.get_num_threads()):
-        piece = next_turn(turns)
-        while piece < pieces:
-            begin, end = number * piece // pieces, number * (piece + 1) // pieces
-            scene = Scene(
-                now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places,
-                submarine, submarine_velocity, submarines, food_position, food_last, there,
-            )  # fmt: skip
-            think_some(scene, begin, end, minds, thoughts, attention, piece)
-            piece = next_turn(turns)
+        scene = Scene(
+            now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places,
+            submarine, submarine_velocity, submarines, food_position, food_last, there,
+        )  # fmt: skip
+        think_in_turn(scene, pieces, turns, number, minds, thoughts, attention)
 
 
 @row
