@@ -1,10 +1,11 @@
 """Threads take turns: who is done with a piece of a loop takes the next, so that nobody waits for the slower.
 
 numba gives each thread its share of a `prange` beforehand. Shares cost differently, and a processor that others use
-too is slow for a while. A loop of threads, each of which takes pieces from one count, evens both out:
+too is slow for a while. Where each thread takes pieces from one count until none is left, both even out; of its other
+shares of the `prange` nothing is left to do:
 
     turns = first_turn()
-    for _ in numba.prange(numba.get_num_threads()):
+    for _ in numba.prange(pieces):
         piece = next_turn(turns)
         while piece < pieces:
             ...

@@ -66,7 +66,7 @@ def flock_all(
 ) -> None:  # fmt: skip
     """Let those school whose turn it is, on all threads."""
     turns = first_turn()
-    for _ in numba.prange(numba.get_num_threads()):
+    for _ in numba.prange(pieces):
         piece = next_turn(turns)
         while piece < pieces:
             begin, end = number * piece // pieces, number * (piece + 1) // pieces

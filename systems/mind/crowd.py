@@ -169,7 +169,7 @@ def copy_columns(
 def copy_all(pieces: int, number: int, sorting: Sorting, rows: Rows, crowd: Crowd) -> None:
     """Copy `number` fishes on all threads, a share of the columns to each of `pieces`."""
     turns = first_turn()
-    for _ in numba.prange(numba.get_num_threads()):
+    for _ in numba.prange(pieces):
         piece = next_turn(turns)
         while piece < pieces:
             begin, end = number * piece // pieces, number * (piece + 1) // pieces

@@ -62,7 +62,7 @@ def sum_serially(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
 def sum_on_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
     """Sum the shoals of a crowd on all threads; `schooling` is per species, (S,)."""
     turns = first_turn()
-    for _ in numba.prange(numba.get_num_threads()):
+    for _ in numba.prange(plan.squares):
         strip = next_turn(turns)
         while strip < plan.squares:
             _sum_strip(strip, plan, schooling, crowd)

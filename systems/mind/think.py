@@ -156,7 +156,7 @@ def think_all(
     The scene comes in its parts: numba takes no tuple of tuples into prange.
     """
     turns = first_turn()
-    for _ in numba.prange(numba.get_num_threads()):
+    for _ in numba.prange(pieces):
         scene = Scene(
             now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places,
             submarine, submarine_velocity, submarines, food_position, food_last, there,

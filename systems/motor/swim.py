@@ -44,7 +44,7 @@ def swim_parallel(
 ) -> None:  # fmt: skip
     """Bound, control and move `count` fishes on all threads, to the same bits as `swim_rows`."""
     turns = first_turn()
-    for _ in numba.prange(numba.get_num_threads()):
+    for _ in numba.prange(CHUNKS):
         chunk = next_turn(turns)
         while chunk < CHUNKS:
             first, last = chunk * count // CHUNKS, (chunk + 1) * count // CHUNKS

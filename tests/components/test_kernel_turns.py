@@ -20,7 +20,7 @@ def count_in_turn(turns: int, pieces: int, taken: Int64s) -> None:
 @loop
 def count(pieces: int, taken: Int64s) -> None:
     turns = first_turn()
-    for _ in numba.prange(numba.get_num_threads()):
+    for _ in numba.prange(pieces):
         count_in_turn(turns, pieces, taken)
 
 
