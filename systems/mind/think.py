@@ -60,10 +60,11 @@ LATEST_TICKS: Final = 8
 
 @inlined
 def _looks_round(now: int, identity: int, minds: Minds, i: int) -> bool:
-    """Return whether a fish looks round for hunters, food and mates: at leisure in every second thought."""
+    """Return whether a fish looks round for hunters, food and mates: new, or busy, or in every second thought."""
     about = minds.intention[i]
     busy = (about == EAT) | (about == MATE) | (about == LEAVE) | (minds.memory[i] >= 0)
-    return bool(busy | (minds.fear[i] > 0.0) | ((now // 4 + identity) & 1 == 0))
+    new = minds.thought_at[i] < 0
+    return bool(busy | new | (minds.fear[i] > 0.0) | ((now // 4 + identity) & 1 == 0))
 
 
 @merged

@@ -104,6 +104,7 @@ class Reference:
                     int(mind.memory[i]), int(mind.focus[i]), float(mind.libido[i]),
                     float(mind.hunger[i]), float(mind.fear[i]),
                 )  # fmt: skip
+        self.new = {body.id for body in self.bodies if mind.thought_at[body.row] < 0}
         living = {body.id for body in self.bodies}
         self.minds = {k: m for k, m in self.minds.items() if k in living}
 
@@ -427,7 +428,7 @@ class Reference:
         target = old.focus if old.intention in (EAT, MATE) and old.focus in self.at else -1
         near, when, other = self._around(me, target)
         company = (len(near) + self._shoal(me)) if schooling else 0
-        busy = old.intention in (EAT, MATE, LEAVE) or old.memory >= 0
+        busy = old.intention in (EAT, MATE, LEAVE) or old.memory >= 0 or me.id in self.new
         looks = busy or old.fear > 0.0 or (self.now // 4 + me.id) % 2 == 0
         hunters: list[tuple[float, Body]] = []
         soon, big = NOBODY, -1
