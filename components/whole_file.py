@@ -7,9 +7,13 @@ from contextlib import suppress
 from pathlib import Path
 
 
-def write_whole(path: Path, content: bytes) -> None:
-    """Replace the file `path` by `content`. Raise OSError, with what stood there untouched."""
-    fresh = path.with_name(f".{path.name}.{uuid.uuid4().hex[:12]}")
+def write_whole(path: Path, content: bytes, draft: Path | None = None) -> None:
+    """Replace the file `path` by `content`. Raise OSError, with what stood there untouched.
+
+    `draft` is the file beside `path` that is written first, by default one that nobody else writes;
+    a process that is killed leaves it.
+    """
+    fresh = draft or path.with_name(f".{path.name}.{uuid.uuid4().hex[:12]}")
     try:
         with fresh.open("wb") as file:
             file.write(content)

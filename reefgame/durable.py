@@ -40,7 +40,7 @@ def write(path: Path, text: str) -> None:
     killed game leaves at most one.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, text.encode())
+    write_whole(path, text.encode(), path.with_name(f".{path.name}.draft"))
 
 
 @contextmanager

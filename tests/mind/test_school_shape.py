@@ -51,7 +51,7 @@ def test_a_school_that_nobody_hunts_keeps_to_its_home() -> None:
     kind = [s.name for s in world.species].index("sardine")
     home = world.terrain.home[world.terrain.home_species == kind][0]
     away = []
-    for tick in range(60 * 60):
+    for tick in range(120 * 60):
         world.tick()
         if tick % 60 == 59:
             away.append(np.linalg.norm(sardines(world)[0].mean(axis=0)[:2] - home[:2]))

@@ -57,7 +57,16 @@ def test_a_killed_game_leaves_whole_progress(tmp_path: Path) -> None:
         assert progress.warnings == []
         assert progress.record("a").score >= 100 + reached
     assert progress.record("a").wins >= 60
-    assert len(list(tmp_path.iterdir())) <= 3
+    left = {found.name for found in tmp_path.iterdir()}
+    assert left <= {"progress.json", ".progress.json.lock", ".progress.json.draft"}
+
+
+def test_what_a_killed_game_left_is_written_over(tmp_path: Path) -> None:
+    path = tmp_path / "progress.json"
+    path.with_name(".progress.json.draft").write_text("half a rec")
+    Progress(path).add(win(700))
+    assert Progress(path).record("first_dive").score == 700
+    assert {found.name for found in tmp_path.iterdir()} == {"progress.json", ".progress.json.lock"}
 
 
 def test_two_games_at_once_lose_nothing_of_each_other(tmp_path: Path) -> None:
