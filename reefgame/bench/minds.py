@@ -154,7 +154,13 @@ def _against_tree() -> Iterator[Case]:
 def _schooling(world: World) -> Iterator[Case]:
     fishes, fish = world.population.count, world.population.fish
     bare = BareSchooling(world.population, _everyone(world), world.terrain, world.clock, every=1)
-    bare()
+
+    def step() -> None:
+        bare()
+        # The rows are put in order once a second, not in every step.
+        world.clock.tick[0] += 1
+
+    step()
     place = fish.position[:fishes].copy()
     course = fish.rotation[:fishes, :, 0].copy()
     kind = fish.species[:fishes].copy()
@@ -164,7 +170,7 @@ def _schooling(world: World) -> Iterator[Case]:
     def tree() -> None:
         schooling_step(place, course, kind, radius, spacing, np.ones(len(radius), np.bool_))
 
-    ours, theirs = in_turn((bare, tree), _TREE_ROUNDS, _TURN_SECONDS)
+    ours, theirs = in_turn((step, tree), _TREE_ROUNDS, _TURN_SECONDS)
     case, share = f"fishes={fishes} threads=1", 1e9 / fishes
     yield Case(
         f"part=schooling against=ckdtree {case}",
