@@ -119,6 +119,8 @@ class MindTable(Table):
     "F, 0 to 1, of all predators seen, (capacity,)"
     danger: Float64s = column(np.float64)
     "F_m, 0 to 1, of the most dangerous predator seen, (capacity,)"
+    wary_of: Int64s = column(np.int64, fill=-1)
+    "stable id of that predator, -1 for none: it is kept in mind between two looks round, (capacity,)"
     eaten: Float64s = column(np.float64)
     "n: meals in the stomach, over the fish's own average meal, (capacity,)"
     ate_at: Int64s = column(np.int64)

@@ -7,11 +7,10 @@ a predator farther off bend the wanted direction a little, and never turn it rou
 from math import nan, sqrt
 from typing import Final
 
-from components.arrays import Float64s, Int32s
+from components.arrays import Float64s
 from components.chance import WANDER as LEG
 from components.chance import uniform
 from components.ground import Terrain, ground_height
-from components.index import Places, row_of
 from components.kernels import inlined, merged, row
 from components.mind import FOOD, SUBMARINE, Courtship, Role
 from components.vector import level_off, point
@@ -24,7 +23,7 @@ from systems.mind.behave.leave import leave
 from systems.mind.behave.mate import JILTED, MATED, mate
 from systems.mind.behave.school import heed, roam, school
 from systems.mind.behave.wander import depart, nearest_home, visit, wander
-from systems.mind.crowd import Crowd
+from systems.mind.crowd import Crowd, place_of
 from systems.mind.intend import (
     AVOID_FISH,
     AVOID_OBSTACLE,
@@ -56,15 +55,6 @@ SCHOOL_FLATNESS: Final = 0.7
 _SHELTER_WITHIN: Final = 8.0
 _RING: Final = 3.5
 _WIDE_RING: Final = 6.0
-
-
-@inlined
-def place_of(places: Places, place: Int32s, identity: int) -> int:
-    """Return where the fish `identity` stands in the crowd, whose `place` it is, -1 where it lives no more."""
-    if identity < 0:
-        return -1
-    i = row_of(places, identity)
-    return place[i] if i >= 0 else -1
 
 
 @row

@@ -42,8 +42,6 @@ class Attention(NamedTuple):
     "their species, (PIECES, MOST_AROUND)"
     square: Float64s
     "squared distances [m^2] to them; later to the hunters that eat it, (PIECES, MOST_AROUND + 1)"
-    marks: Int32s
-    "1 for who is seen and of its kind, and 2 for who is seen and may cross its way, (PIECES, MOST_AROUND)"
     company: Int32s
     "which of them are of its kind and seen; later the places of hunters that eat it, (PIECES, MOST_AROUND + 1)"
     others: Int32s
@@ -142,7 +140,6 @@ def make_attention() -> Attention:
         around=places(MOST_AROUND),
         kinds=places(MOST_AROUND),
         square=reals(MOST_AROUND + 1),
-        marks=places(MOST_AROUND),
         company=places(MOST_AROUND + 1),
         others=places(MOST_AROUND + 1),
         coarse_runs=places(32),

@@ -50,7 +50,7 @@ def flock_some(
         length = crowd.length[me]
         reach = reach_of(plan, senses.sight[kind], length)
         near, distance = attention.sought[piece], attention.sought_distance[piece]
-        many, _ = see_around(crowd, me, reach, True, around, attention, piece)
+        many, _ = see_around(crowd, me, reach, True, False, around, attention, piece)
         found = nearest_of_kind(many, attention, piece, near, distance)
         x, y, z, _, _ = keep_company(
             crowd, me, near, distance, found, senses.spacing[kind] * length

@@ -14,6 +14,7 @@ from components.kernels import inlined, merged
 from components.senses import SWALLOWED
 from components.sightline import in_sight
 from systems.mind.attention import MOST_AROUND, NO_DANGER, Attention
+from systems.mind.crowd import place_of
 from systems.mind.feel import fear_of
 from systems.mind.perceive import (
     BLIND,
@@ -100,9 +101,11 @@ def fear_all(
     crowd, wariness = scene.crowd, scene.senses.wariness[scene.crowd.species[me]]
     fear, worst, place, seen = 0.0, 0.0, -1, 0
     for k in range(found):
+        if fear >= 1.0:
+            break
         other = hunters[k]
         one = fear_of(wariness, crowd.length[other], sqrt(distance[k]))
-        if one < NEGLIGIBLE or fear >= 1.0:
+        if one < NEGLIGIBLE:
             continue
         if not in_sight(
             scene.terrain, crowd.x[me], crowd.y[me], crowd.z[me],
@@ -115,3 +118,27 @@ def fear_all(
         if one > worst:
             worst, place = one, other
     return min(fear, 1.0), worst, place, seen
+
+
+@merged
+def fear_known(
+    scene: Scene, me: int, known: int, before: float, hunters: Int64s, distance: Float64s
+) -> tuple[float, float, int, int]:
+    """Return what `fear_all` does, of the one predator of the id `known` that it keeps an eye on.
+
+    It is as afraid as it was `before`, or more if that one has come nearer.
+    """
+    crowd = scene.crowd
+    other = place_of(scene.places, crowd.place, known)
+    if other < 0:
+        return 0.0, 0.0, -1, 0
+    dx, dy, dz = (
+        crowd.x[other] - crowd.x[me],
+        crowd.y[other] - crowd.y[me],
+        crowd.z[other] - crowd.z[me],
+    )
+    hunters[0], distance[0] = other, dx * dx + dy * dy + dz * dz
+    worst = fear_of(
+        scene.senses.wariness[crowd.species[me]], crowd.length[other], sqrt(distance[0])
+    )
+    return max(before, worst), worst, other, 1

@@ -10,15 +10,20 @@ import numba
 import numpy as np
 
 from components.arrays import Float64s, Int8s, Int32s, Int64s
+from components.index import Places, row_of
 from components.kernel_turns import first_turn, next_turn
 from components.kernels import inlined, loop, row
 from components.mind import Intention
+from components.prefetch import prefetch
 
 SUMS: Final = 7
 """Whole numbers to a shoal."""
 
 READY: Final = 0.25
 """Libido from which a fish answers a mate."""
+
+_AHEAD: Final = 12
+"""Places ahead of the one copied at which rows are asked for."""
 
 _MATE: Final = int(Intention.MATE)
 
@@ -95,6 +100,15 @@ class Sorting(NamedTuple):
 
 
 @inlined
+def place_of(places: Places, place: Int32s, identity: int) -> int:
+    """Return where the fish `identity` stands in the crowd, whose `place` it is, -1 where it lives no more."""
+    if identity < 0:
+        return -1
+    i = row_of(places, identity)
+    return place[i] if i >= 0 else -1
+
+
+@inlined
 def _column_from(place: int, number: int, sorting: Sorting) -> int:
     """Return the first place from `place` on at which a column begins."""
     column, by_column = sorting.column, sorting.by_column
@@ -124,6 +138,18 @@ def _sort_column(begin: int, end: int, order: Int32s, layer: Int32s, identity: I
                 at -= gap
             order[at] = this
         gap //= 3
+
+
+@inlined
+def _ask_for(rows: Rows, i: int) -> None:
+    """Ask for what is copied of row i."""
+    prefetch(rows.position, i)
+    prefetch(rows.last_position, i)
+    prefetch(rows.rotation, i)
+    prefetch(rows.length, i)
+    prefetch(rows.id, i)
+    prefetch(rows.focus, i)
+    prefetch(rows.libido, i)
 
 
 @inlined
@@ -162,6 +188,7 @@ def copy_columns(
         if same & _after(before, here, layer, rows.id):
             _sort_column(start, _column_from(k + 1, number, sorting), order, layer, rows.id)
     for k in range(begin, end):
+        _ask_for(rows, order[min(k + _AHEAD, end - 1)])
         _copy_one(k, order[k], sorting, rows, crowd)
 
 

@@ -108,6 +108,8 @@ def decide(scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int)
         i = scene.crowd.row[thoughts.me[k]]
         minds.fear[i], minds.thought_at[i] = thoughts.fear[k], scene.now
         minds.danger[i] = max(thoughts.worst[k], thoughts.scare[k])
+        predator = thoughts.predator[k]
+        minds.wary_of[i] = scene.crowd.id[predator] if predator >= 0 else -1
         if thoughts.previous[k] == OBEY:
             minds.why[i], minds.why_value[i] = _PLAYER, 0.0
         else:

@@ -8,7 +8,7 @@ from typing import Final
 from components.kernels import merged
 from components.mind import Role
 from systems.mind.attention import NO_DANGER, Attention, Thoughts
-from systems.mind.beware import NEGLIGIBLE, fear_all, watch_hunters
+from systems.mind.beware import NEGLIGIBLE, fear_all, fear_known, watch_hunters
 from systems.mind.feel import fear_of_submarine, speed_of
 from systems.mind.gather import gather, reach_of
 from systems.mind.perceive import (
@@ -18,7 +18,7 @@ from systems.mind.perceive import (
     nearest_of_kind,
     see_around,
 )
-from systems.mind.scene import Scene
+from systems.mind.scene import Minds, Scene
 from systems.mind.shoal import see_shoal
 from systems.mind.sparse import list_sparse
 
@@ -43,7 +43,7 @@ def notice_company(
             around = gather(scene.plan, crowd, column, layer, attention, piece)
         reach = reach_of(scene.plan, senses.sight[kind], crowd.length[me])
         schooling = senses.schooling[kind] != 0
-        same, crossing = see_around(crowd, me, reach, schooling, around, attention, piece)
+        same, crossing = see_around(crowd, me, reach, schooling, True, around, attention, piece)
         thoughts.found[k] = nearest_of_kind(
             same, attention, piece, thoughts.near[k], thoughts.distance[k]
         )
@@ -66,10 +66,10 @@ def notice_shoals(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> Non
 
 @merged
 def notice_hunters(
-    scene: Scene, thoughts: Thoughts, begin: int, end: int, attention: Attention,
+    scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
     piece: int,
 ) -> None:  # fmt: skip
-    """Look for hunters, who looks round, and fear them.
+    """Look for hunters, who looks round, and fear them; the others keep an eye on whom they feared most.
 
     Minds near each other share a list of the hunters around.
     """
@@ -99,15 +99,17 @@ def notice_hunters(
             if soon < thoughts.when[k]:
                 thoughts.other[k], thoughts.when[k] = big, soon
     for k in range(begin, end):
-        thoughts.fear[k], thoughts.worst[k] = 0.0, 0.0
-        thoughts.predator[k] = -1
+        me, i = thoughts.me[k], crowd.row[thoughts.me[k]]
+        hunters, distance = thoughts.hunters[k], thoughts.hunter_distance[k]
+        fear, worst, predator, seen = 0.0, 0.0, -1, 0
         if thoughts.seen[k] > 0:
-            (
-                thoughts.fear[k], thoughts.worst[k], thoughts.predator[k], thoughts.seen[k],
-            ) = fear_all(
-                scene, thoughts.me[k], thoughts.seen[k], thoughts.hunters[k],
-                thoughts.hunter_distance[k],
-            )  # fmt: skip
+            fear, worst, predator, seen = fear_all(scene, me, thoughts.seen[k], hunters, distance)
+        elif thoughts.looks[k] == 0 and minds.wary_of[i] >= 0:
+            fear, worst, predator, seen = fear_known(
+                scene, me, minds.wary_of[i], minds.fear[i], hunters, distance
+            )
+        thoughts.fear[k], thoughts.worst[k] = fear, worst
+        thoughts.predator[k], thoughts.seen[k] = predator, seen
 
 
 @merged
@@ -142,4 +144,8 @@ def notice_submarine(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> 
             if scare < NEGLIGIBLE or far > scene.habitat.visibility:
                 scare = 0.0
         thoughts.scare[k] = scare
-        thoughts.fear[k] = min(thoughts.fear[k] + scare, 1.0)
+        if thoughts.looks[k] == 0 and thoughts.predator[k] >= 0:
+            # The fear that it has kept since it looked round is of both.
+            thoughts.fear[k] = max(thoughts.fear[k], scare)
+        else:
+            thoughts.fear[k] = min(thoughts.fear[k] + scare, 1.0)

@@ -102,6 +102,7 @@ class Minds(NamedTuple):
     libido: Float64s
     fear: Float64s
     danger: Float64s
+    wary_of: Int64s
     eaten: Float64s
     ate_at: Int64s
     mated_at: Int64s

@@ -79,6 +79,22 @@ def _seek_food(
 
 
 @merged
+def _keep_meal(scene: Scene, me: int, minds: Minds, target: int) -> tuple[int, float]:
+    """Return the meal in focus, which is the prey at the place `target` or food, and its distance [m]; -1 if gone."""
+    crowd, i = scene.crowd, scene.crowd.row[me]
+    x, y, z, kept = crowd.x[me], crowd.y[me], crowd.z[me], FOOD - minds.focus[i]
+    if target >= 0:
+        by = minds.swallowed_by[crowd.row[target]]
+        if by < 0 or by == crowd.id[me]:
+            far = speed_of(crowd.x[target] - x, crowd.y[target] - y, crowd.z[target] - z)
+            return minds.focus[i], far
+    elif 0 <= kept < len(scene.there) and scene.there[kept]:
+        place = scene.food_position
+        return minds.focus[i], speed_of(place[kept, 0] - x, place[kept, 1] - y, place[kept, 2] - z)
+    return -1, NO_DANGER
+
+
+@merged
 def _seek_mate(
     scene: Scene, me: int, minds: Minds, target: int, found: int, near: Int64s, distance: Float64s,
     attention: Attention, piece: int,
@@ -156,11 +172,14 @@ def want_meals(
     scene: Scene, minds: Minds, thoughts: Thoughts, begin: int, end: int, attention: Attention,
     piece: int,
 ) -> None:  # fmt: skip
-    """Feel hunger, and find a meal for it: who looks round. Who is in danger looks for none."""
+    """Feel hunger, and find a meal for it: who looks round, or eats already. Who is in danger looks for none.
+
+    Who eats keeps to its meal between two looks round, unless that is gone.
+    """
     crowd, senses = scene.crowd, scene.senses
     for k in range(begin, end):
         thoughts.meal[k] = -1
-        if thoughts.looks[k] == 0:
+        if thoughts.looks[k] == 0 and thoughts.previous[k] != EAT:
             continue
         me = thoughts.me[k]
         i, kind = crowd.row[me], crowd.species[me]
@@ -174,8 +193,14 @@ def want_meals(
         plain = appetite(stomach, senses.appetite[kind])
         far = NO_DANGER
         if not urgent:
-            target = thoughts.target[k]
-            thoughts.meal[k], far = _seek_food(scene, me, minds, plain, target, attention, piece)
+            target, seeks = thoughts.target[k], thoughts.looks[k] != 0
+            if not seeks and minds.focus[i] != -1:
+                thoughts.meal[k], far = _keep_meal(scene, me, minds, target)
+                seeks = thoughts.meal[k] == -1
+            if seeks:
+                thoughts.meal[k], far = _seek_food(
+                    scene, me, minds, plain, target, attention, piece
+                )
         near = stimulus(crowd.length[me] / (far + 1e-9), FOOD_FAR, FOOD_NEAR)
         minds.hunger[i] = hunger_of(plain, near)
         thoughts.urgent[k], thoughts.plain[k] = urgent, plain

@@ -38,6 +38,7 @@ class Mind:
     libido: float
     hunger: float
     fear: float
+    wary_of: int
     value: float = 0.0
 
 
@@ -102,7 +103,7 @@ class Reference:
                 self.minds[body.id] = Mind(
                     int(mind.intention[i]), int(mind.why[i]), int(mind.since[i]),
                     int(mind.memory[i]), int(mind.focus[i]), float(mind.libido[i]),
-                    float(mind.hunger[i]), float(mind.fear[i]),
+                    float(mind.hunger[i]), float(mind.fear[i]), int(mind.wary_of[i]),
                 )  # fmt: skip
         self.new = {body.id for body in self.bodies if mind.thought_at[body.row] < 0}
         living = {body.id for body in self.bodies}
@@ -219,15 +220,31 @@ class Reference:
         hunters.sort(key=lambda pair: pair[0])
         return hunters[:8], when, who
 
+    def _fear_of(self, me: Body, other: Body) -> float:
+        d = offset(me.at, other.at)
+        return float(
+            min(self.sense.wariness[me.species] * other.length / (sqrt(dot(d, d)) + 1e-9), 1.0)
+        )
+
     def _fear(self, me: Body, hunters: list[tuple[float, Body]]) -> tuple[float, float, int]:
         total, worst, who = 0.0, 0.0, -1
-        for square, other in hunters:
-            one = min(self.sense.wariness[me.species] * other.length / (sqrt(square) + 1e-9), 1.0)
+        for _, other in hunters:
+            one = self._fear_of(me, other)
             if one >= 0.1 and total < 1.0 and self._clear(me, other):
                 total += one
                 if one > worst:
                     worst, who = one, other.id
         return min(total, 1.0), worst, who
+
+    def _alarm(
+        self, me: Body, old: Mind, looks: bool, hunters: list[tuple[float, Body]], scare: float
+    ) -> tuple[float, float, int]:
+        """Return fear, danger and whom it fears most: as it looks round, or the one that it keeps in mind."""
+        if not looks and old.wary_of in self.at:
+            worst = self._fear_of(me, self.bodies[self.at[old.wary_of]])
+            return max(old.fear, worst, scare), max(worst, scare), old.wary_of
+        fear, worst, predator = self._fear(me, hunters)
+        return min(fear + scare, 1.0), max(worst, scare), predator
 
     def _shoal(self, me: Body) -> bool:
         """Return whether the middle of its kind in nine squares of the plan is in sight."""
@@ -355,6 +372,28 @@ class Reference:
             food, far = kept, sqrt(square(kept))
         return FOOD - food, far
 
+    def _find_meal(
+        self, me: Body, old: Mind, looks: bool, plain: float, target: int
+    ) -> tuple[int, float]:
+        """Return the meal that it keeps to, or finds where it looks round or that is gone, and its distance."""
+        eats = old.intention == EAT and old.focus != -1
+        if not looks and eats:
+            meal, far = self._kept_meal(me, old, target)
+            if meal != -1:
+                return meal, far
+        return self._meal(me, old, plain, target) if looks or eats else (-1, NOBODY)
+
+    def _kept_meal(self, me: Body, mind: Mind, target: int) -> tuple[int, float]:
+        """Return the meal in focus and its distance, -1 where it is gone."""
+        if target in self.at:
+            prey = self.bodies[self.at[target]]
+            d = offset(me.at, prey.at)
+            return (prey.id, sqrt(dot(d, d))) if prey.swallowed_by in (-1, me.id) else (-1, NOBODY)
+        if FOOD - mind.focus in self.food:
+            d = offset(me.at, self.food[FOOD - mind.focus])
+            return mind.focus, sqrt(dot(d, d))
+        return -1, NOBODY
+
     def _mate(
         self, me: Body, mind: Mind, near: list[tuple[float, Body]], target: int
     ) -> tuple[int, float]:
@@ -428,28 +467,27 @@ class Reference:
         target = old.focus if old.intention in (EAT, MATE) and old.focus in self.at else -1
         near, when, other = self._around(me, target)
         company = (len(near) + self._shoal(me)) if schooling else 0
-        busy = old.intention in (EAT, MATE, LEAVE) or old.memory >= 0 or me.id in self.new
-        looks = busy or old.fear > 0.0 or (self.now // 4 + me.id) % 2 == 0
+        busy = old.intention in (MATE, LEAVE, ESCAPE) or old.memory >= 0 or me.id in self.new
+        looks = busy or (self.now // 4 + me.id) % (2 if old.fear > 0.0 else 4) == 0
         hunters: list[tuple[float, Body]] = []
         soon, big = NOBODY, -1
         if looks:
             hunters, soon, big = self._hunters(me, target)
         when, other = (soon, big) if soon < when else (when, other)
-        fear, danger, predator = self._fear(me, hunters)
         meets, far, speed = self._submarine(me)
         scare = self._scare(kind, far, speed) if role == PREY else 0.0
-        fear, danger = min(fear + scare, 1.0), max(danger, scare)
+        fear, danger, predator = self._alarm(me, old, looks, hunters, scare)
         obstacle, threat = self._obstacle(me), min(when, meets) < NOBODY
         blocked = obstacle < (1.4 if old.intention == OBSTACLE else 1.0)
         urgent = blocked or threat or (timid and fear > 0.5)
         stomach = in_stomach(me.eaten, me.ate_at, self.now, sense.digestion[kind])
         plain = max(1.0 - stomach / sense.appetite[kind], -1.0)
         meal, meal_far = -1, NOBODY
-        if looks and not urgent:
-            meal, meal_far = self._meal(me, old, plain, target)
+        if not urgent:
+            meal, meal_far = self._find_meal(me, old, looks, plain, target)
         tempted = stimulus(me.length, meal_far, 1.0 / 8.0, 1.0 / 2.0)
         hunger = 0.0 if plain <= -1.0 else clamp(plain + 0.8 * tempted)
-        hunger = hunger if looks else old.hunger
+        hunger = hunger if looks or old.intention == EAT else old.hunger
         wish = 0.0
         if role != PREDATOR:
             waited = max(float(self.now - me.mated_at), 0.0)
@@ -479,7 +517,7 @@ class Reference:
         elif why == CURIOSITY:
             focus = SUBMARINE
         since = self.now if intention != old.intention or threat else old.since
-        return Mind(intention, why, since, memory, focus, libido, hunger, fear, value)
+        return Mind(intention, why, since, memory, focus, libido, hunger, fear, predator, value)
 
     def _intend(  # noqa: C901 (the generator's rules, one after another)
         self, me: Body, old: Mind, obstacle: float, collides: float, timid: bool, fear: float,

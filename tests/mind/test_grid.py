@@ -38,7 +38,7 @@ def test_neighbours_are_those_of_brute_force(
     several = 0
     for place in range(0, sardines + tangs, 7):
         around = gather(plan, crowd, crowd.column[place], crowd.layer[place], attention, 0)
-        many, _ = see_around(crowd, place, plan.cell, True, around, attention, 0)
+        many, _ = see_around(crowd, place, plan.cell, True, True, around, attention, 0)
         near, square = attention.sought[0], attention.sought_distance[0]
         found = nearest_of_kind(many, attention, 0, near, square)
         rows = [int(crowd.row[k]) for k in near[:found]]

@@ -58,12 +58,14 @@ def test_intentions_are_those_of_the_reference(
                 for identity, expected in slow.decide().items():
                     i = world.population.row(identity)
                     found = (
-                        mind.intention[i], mind.why[i], mind.memory[i], mind.focus[i], mind.since[i]
+                        mind.intention[i], mind.why[i], mind.memory[i], mind.focus[i], mind.since[i],
+                        mind.wary_of[i],
                     )  # fmt: skip
                     assert found == (
                         expected.intention, expected.why, expected.memory, expected.focus,
-                        expected.since,
+                        expected.since, expected.wary_of,
                     ), (world.clock.now, identity, expected)  # fmt: skip
+                    assert mind.fear[i] == pytest.approx(expected.fear, abs=1e-9)
                     assert mind.why_value[i] == pytest.approx(expected.value, rel=1e-5, abs=1e-6)
                     seen.add((expected.intention, expected.why))
                     thoughts += 1
