@@ -25,7 +25,8 @@ from systems.mind.grid import (
     sort_on_all,
     sort_serially,
 )
-from systems.mind.perceive import nearest_of_kind, see_around
+from systems.mind.nearest import nearest_of_kind
+from systems.mind.perceive import see_around
 
 
 @row

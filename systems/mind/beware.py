@@ -16,15 +16,8 @@ from components.sightline import in_sight
 from systems.mind.attention import MOST_AROUND, NO_DANGER, Attention
 from systems.mind.crowd import place_of
 from systems.mind.feel import fear_of
-from systems.mind.perceive import (
-    BLIND,
-    LATERAL_LINE,
-    NOBODY,
-    collision,
-    keep,
-    list_nearest,
-    name,
-)
+from systems.mind.nearest import NOBODY, keep, list_nearest, name
+from systems.mind.perceive import BLIND, LATERAL_LINE, collision
 from systems.mind.scene import Scene
 
 WAKE: Final = 2.0

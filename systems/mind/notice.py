@@ -11,11 +11,11 @@ from systems.mind.attention import NO_DANGER, Attention, Thoughts
 from systems.mind.beware import NEGLIGIBLE, fear_all, fear_known, watch_hunters
 from systems.mind.feel import fear_of_submarine, speed_of
 from systems.mind.gather import gather, reach_of
+from systems.mind.nearest import nearest_of_kind
 from systems.mind.perceive import (
     feel_ahead,
     first_to_collide,
     meet_submarine,
-    nearest_of_kind,
     see_around,
 )
 from systems.mind.scene import Minds, Scene

@@ -6,15 +6,15 @@ not see. What was perceived lives in scratch and is forgotten.
 """
 
 from math import sqrt
-from typing import Final, TypeAlias
+from typing import Final
 
 import numpy as np
 from numba.cpython.unsafe.numbers import trailing_zeros
 
-from components.arrays import Float64s, Int8s, Int32s, Int64s
+from components.arrays import Float64s, Int8s, Int32s
 from components.ground import Terrain, clearance
 from components.kernels import inlined
-from systems.mind.attention import MOST_AROUND, NEIGHBOURS, NO_DANGER, Attention
+from systems.mind.attention import NO_DANGER, Attention
 from systems.mind.crowd import Crowd
 
 LATERAL_LINE: Final = 0.7
@@ -32,8 +32,6 @@ _ROOM: Final = 0.4
 _WORD: Final = 64
 """Fishes around that are marked in a whole number, a bit each."""
 
-_SLOTS: Final = MOST_AROUND - 1
-
 _SUBMARINE_ROOM: Final = 2.5
 """[m] kept from the submarine's middle."""
 
@@ -43,60 +41,6 @@ def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) ->
     """Return whether what lies at the offset (dx, dy, dz) is within the 300 degree cone around h."""
     along = dx * hx + dy * hy + dz * hz
     return bool(along >= 0.0 or along * along < BLIND * (dx * dx + dy * dy + dz * dz))
-
-
-Nearest: TypeAlias = tuple[float, float, float, float, float, float, float, float]
-"""The nearest of a kind, nearest first: squared distances [m^2] whose last bits say who."""
-
-NOBODY: Final = (NO_DANGER,) * NEIGHBOURS
-
-
-@inlined
-def name(square: float, slot: int) -> float:
-    """Return a squared distance [m^2] with the slot in its last eleven bits, a part in 10^12."""
-    bits = np.float64(square).view(np.int64)
-    return float(np.int64((bits & ~_SLOTS) | slot).view(np.float64))
-
-
-@inlined
-def keep(nearest: Nearest, key: float) -> Nearest:
-    """Let a `name` sink to its place among the nearest, without a branch: of a dozen each may be (FINDINGS 5)."""
-    a, b, c, d, e, f, g, h = nearest
-    a, key = min(a, key), max(a, key)
-    b, key = min(b, key), max(b, key)
-    c, key = min(c, key), max(c, key)
-    d, key = min(d, key), max(d, key)
-    e, key = min(e, key), max(e, key)
-    f, key = min(f, key), max(f, key)
-    g, key = min(g, key), max(g, key)
-    return a, b, c, d, e, f, g, min(h, key)
-
-
-@inlined
-def list_nearest(
-    nearest: Nearest, found: int, who: Int32s, square: Float64s, near: Int64s, distance: Float64s
-) -> int:
-    """List the nearest, at most `found`, by place and squared distance, (NEIGHBOURS,) each; return how many.
-
-    `who` are the places by slot, `square` [m^2] the squares.
-    """
-    for k in range(NEIGHBOURS):
-        slot = np.float64(nearest[k]).view(np.int64) & _SLOTS
-        near[k], distance[k] = who[slot], square[slot]
-    return min(found, NEIGHBOURS)
-
-
-@inlined
-def insert(other: int, square: float, near: Int64s, distance: Float64s, found: int) -> int:
-    """Insert `other` among the nearest, (NEIGHBOURS,) each; return how many are kept. The first come stays."""
-    if found == NEIGHBOURS and square >= distance[NEIGHBOURS - 1]:
-        return found
-    at = min(found, NEIGHBOURS - 1)
-    while at > 0 and square < distance[at - 1]:
-        near[at], distance[at] = near[at - 1], distance[at - 1]
-        at -= 1
-    near[at], distance[at] = other, square
-    return min(found + 1, NEIGHBOURS)
 
 
 @inlined
@@ -170,17 +114,6 @@ def collision(crowd: Crowd, me: int, other: int) -> float:
     dx, dy, dz = dx + when * vx, dy + when * vy, dz + when * vz
     room = _ROOM * (crowd.length[me] + crowd.length[other])
     return when if dx * dx + dy * dy + dz * dz < room * room else NO_DANGER
-
-
-@inlined
-def nearest_of_kind(
-    many: int, attention: Attention, piece: int, near: Int64s, distance: Float64s
-) -> int:
-    """List the nearest of the `many` of its kind that are seen, nearest first, (NEIGHBOURS,) each; return how many."""
-    square, company, nearest = attention.square[piece], attention.company[piece], NOBODY
-    for at in range(many):
-        nearest = keep(nearest, name(square[company[at]], company[at]))
-    return list_nearest(nearest, many, attention.around[piece], square, near, distance)
 
 
 @inlined

@@ -17,7 +17,8 @@ from systems.mind.attention import NEIGHBOURS, Attention
 from systems.mind.beware import can_swallow
 from systems.mind.crowd import Crowd
 from systems.mind.gather import layers_between
-from systems.mind.perceive import in_view, insert
+from systems.mind.nearest import insert
+from systems.mind.perceive import in_view
 from systems.mind.scene import Scene
 from systems.mind.sparse import LONGEST_RUN, Sparse, find_sparse_runs
 

@@ -95,6 +95,23 @@ def _keep_meal(scene: Scene, me: int, minds: Minds, target: int) -> tuple[int, f
 
 
 @merged
+def _find_meal(
+    scene: Scene, me: int, minds: Minds, plain: float, target: int, looks: bool,
+    attention: Attention, piece: int,
+) -> tuple[int, float]:  # fmt: skip
+    """Return the focus that a meal deserves, -1 for none, and its distance [m].
+
+    Who does not look round keeps to what it eats already, and seeks another where that is gone.
+    """
+    meal, far, keeps = -1, NO_DANGER, not looks and minds.focus[scene.crowd.row[me]] != -1
+    if keeps:
+        meal, far = _keep_meal(scene, me, minds, target)
+    if looks or (keeps and meal == -1):
+        meal, far = _seek_food(scene, me, minds, plain, target, attention, piece)
+    return meal, far
+
+
+@merged
 def _seek_mate(
     scene: Scene, me: int, minds: Minds, target: int, found: int, near: Int64s, distance: Float64s,
     attention: Attention, piece: int,
@@ -193,14 +210,16 @@ def want_meals(
         plain = appetite(stomach, senses.appetite[kind])
         far = NO_DANGER
         if not urgent:
-            target, seeks = thoughts.target[k], thoughts.looks[k] != 0
-            if not seeks and minds.focus[i] != -1:
-                thoughts.meal[k], far = _keep_meal(scene, me, minds, target)
-                seeks = thoughts.meal[k] == -1
-            if seeks:
-                thoughts.meal[k], far = _seek_food(
-                    scene, me, minds, plain, target, attention, piece
-                )
+            thoughts.meal[k], far = _find_meal(
+                scene,
+                me,
+                minds,
+                plain,
+                thoughts.target[k],
+                thoughts.looks[k] != 0,
+                attention,
+                piece,
+            )
         near = stimulus(crowd.length[me] / (far + 1e-9), FOOD_FAR, FOOD_NEAR)
         minds.hunger[i] = hunger_of(plain, near)
         thoughts.urgent[k], thoughts.plain[k] = urgent, plain

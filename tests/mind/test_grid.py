@@ -7,7 +7,8 @@ import pytest
 
 from systems.mind.attention import NEIGHBOURS, make_attention
 from systems.mind.gather import gather
-from systems.mind.perceive import LATERAL_LINE, nearest_of_kind, see_around
+from systems.mind.nearest import nearest_of_kind
+from systems.mind.perceive import LATERAL_LINE, see_around
 
 
 def nearest_by_brute_force(pond, me: int, reach: float) -> list[int]:  # type: ignore[no-untyped-def]
