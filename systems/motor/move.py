@@ -15,6 +15,7 @@ import numba
 from components.clock import Clock
 from components.fish import Population
 from components.kernels import Launch, inlined, loop, row
+from components.prefetch import prefetch
 from components.repertoire import RepertoireLibrary
 from components.table import Columns
 from components.terrain import Terrain, berth, confine
@@ -62,10 +63,20 @@ def _step(i: int, fish: Bodies, motor: Motors, track: Track, literal: bool) -> N
     motor.frame[i] = 0 if frame == track.length[segment] and track.loops[segment] else frame
 
 
+@inlined
+def _ask_for(i: int, fish: Bodies, motor: Motors, track: Track) -> None:
+    """Ask for the entry that row i is about to play."""
+    entry = track.start[motor.segment[i]] + motor.frame[i]
+    prefetch(track.translation, entry)
+    prefetch(track.rotation, entry)
+    prefetch(track.turn, entry)
+
+
 @row
 def advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -> None:
     """Play one entry for the fishes of rows first to last - 1."""
     for i in range(first, last):
+        _ask_for(min(i + 8, last - 1), fish, motor, track)
         _step(i, fish, motor, track, False)
 
 
