@@ -30,6 +30,9 @@ PARALLEL_FROM: Final = 500
 
 CHUNKS: Final = 64
 
+_AHEAD: Final = 8
+"""Rows ahead of the one played whose entries are asked for."""
+
 
 @inlined
 def _step(i: int, fish: Bodies, motor: Motors, track: Track, literal: bool) -> None:
@@ -64,7 +67,7 @@ def _step(i: int, fish: Bodies, motor: Motors, track: Track, literal: bool) -> N
 
 
 @inlined
-def _ask_for(i: int, fish: Bodies, motor: Motors, track: Track) -> None:
+def _ask_for(i: int, motor: Motors, track: Track) -> None:
     """Ask for the entry that row i is about to play."""
     entry = track.start[motor.segment[i]] + motor.frame[i]
     prefetch(track.translation, entry)
@@ -76,7 +79,7 @@ def _ask_for(i: int, fish: Bodies, motor: Motors, track: Track) -> None:
 def advance(first: int, last: int, fish: Bodies, motor: Motors, track: Track) -> None:
     """Play one entry for the fishes of rows first to last - 1."""
     for i in range(first, last):
-        _ask_for(min(i + 8, last - 1), fish, motor, track)
+        _ask_for(min(i + _AHEAD, last - 1), motor, track)
         _step(i, fish, motor, track, False)
 
 
