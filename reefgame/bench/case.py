@@ -29,7 +29,14 @@ class Case:
 def in_turn(
     sides: tuple[Callable[[], None], ...], rounds: int = 7, least: float = 0.0
 ) -> tuple[float, ...]:
-    """Return the median seconds of each side over `rounds`, the sides run in turn after one warm-up.
+    """Return the median seconds of each side over `rounds`, the sides run in turn as `seconds_in_turn` does."""
+    return tuple(median(found) for found in seconds_in_turn(sides, rounds, least))
+
+
+def seconds_in_turn(
+    sides: tuple[Callable[[], None], ...], rounds: int = 7, least: float = 0.0
+) -> list[list[float]]:
+    """Return the seconds of each side in each of `rounds`, the sides run in turn after one warm-up.
 
     In its turn a side runs again and again for `least` seconds, lest a short one find caches as the other left them.
     """
@@ -43,4 +50,9 @@ def in_turn(
                 side()
                 runs += 1
             found.append((perf_counter() - start) / runs)
-    return tuple(median(found) for found in times)
+    return times
+
+
+def times_faster(ours: list[float], theirs: list[float]) -> float:
+    """Return how many times faster we are, the median over the rounds: a slow spell of the machine takes both sides."""
+    return median(their / our for our, their in zip(ours, theirs, strict=True))
