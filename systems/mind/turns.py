@@ -62,7 +62,7 @@ def list_turns(
         if crowd.column[me] != here:
             here = crowd.column[me]
             turn = here // side // 3 + 2 * (here % side // 3) - scene.now
-            # Nobody has thought before the first tick; later nobody here can be due.
+            # In the first tick of all everybody thinks; later who is new waits a tick at most.
             if turn & 1 != 0 and scene.now > 0:
                 me = min(crowd.first[here + 1], end)
                 continue
