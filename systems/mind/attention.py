@@ -40,6 +40,8 @@ class Attention(NamedTuple):
     "their places in the crowd, (PIECES, MOST_AROUND)"
     kinds: Int32s
     "their species, (PIECES, MOST_AROUND)"
+    seen: Int8s
+    "1 for who of them is seen, (PIECES, MOST_AROUND)"
     square: Float64s
     "squared distances [m^2] to them; later to the hunters that eat it, (PIECES, MOST_AROUND + 1)"
     company: Int32s
@@ -139,6 +141,7 @@ def make_attention() -> Attention:
         around_z=reals(MOST_AROUND),
         around=places(MOST_AROUND),
         kinds=places(MOST_AROUND),
+        seen=np.zeros((PIECES, MOST_AROUND), np.int8),
         square=reals(MOST_AROUND + 1),
         company=places(MOST_AROUND + 1),
         others=places(MOST_AROUND + 1),

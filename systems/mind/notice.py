@@ -19,7 +19,7 @@ from systems.mind.perceive import (
     see_around,
 )
 from systems.mind.scene import Minds, Scene
-from systems.mind.shoal import see_shoal
+from systems.mind.shoal import NO_SHOAL, see_shoal, square_of, sum_around
 from systems.mind.sparse import list_sparse
 
 _PREY: Final = int(Role.PREY)
@@ -44,9 +44,11 @@ def notice_company(
         reach = reach_of(scene.plan, senses.sight[kind], crowd.length[me])
         schooling = senses.schooling[kind] != 0
         same, crossing = see_around(crowd, me, reach, schooling, True, around, attention, piece)
-        thoughts.found[k] = nearest_of_kind(
-            same, attention, piece, thoughts.near[k], thoughts.distance[k]
-        )
+        thoughts.found[k] = 0
+        if schooling or thoughts.looks[k] != 0:
+            thoughts.found[k] = nearest_of_kind(
+                same, attention, piece, thoughts.near[k], thoughts.distance[k]
+            )
         thoughts.other[k], thoughts.when[k] = first_to_collide(
             crowd, me, thoughts.target[k], senses.eats, crossing, attention, piece
         )
@@ -54,14 +56,24 @@ def notice_company(
 
 @merged
 def notice_shoals(scene: Scene, thoughts: Thoughts, begin: int, end: int) -> None:
-    """See the shoals that schoolers belong to."""
-    crowd, senses = scene.crowd, scene.senses
+    """See the shoals that schoolers belong to; those of a kind in a square, one after the other, share the sums."""
+    plan, crowd, senses = scene.plan, scene.crowd, scene.senses
+    column = square = here = last = -1
+    sums = NO_SHOAL
     for k in range(begin, end):
         me = thoughts.me[k]
+        kind = crowd.species[me]
         thoughts.number[k] = 0.0
-        if senses.schooling[crowd.species[me]] != 0:
-            far = min(2.0 * senses.sight[crowd.species[me]], scene.habitat.visibility)
-            thoughts.number[k] = see_shoal(scene.plan, crowd, me, far, thoughts.shoal[k])
+        if senses.schooling[kind] == 0:
+            continue
+        if crowd.column[me] != column:
+            column = crowd.column[me]
+            here = square_of(plan, column)
+        if kind != last or here != square:
+            last, square = kind, here
+            sums = sum_around(plan, crowd, kind, square)
+        far = min(2.0 * senses.sight[kind], scene.habitat.visibility)
+        thoughts.number[k] = see_shoal(crowd, me, sums, far, thoughts.shoal[k])
 
 
 @merged

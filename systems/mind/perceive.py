@@ -8,10 +8,7 @@ not see. What was perceived lives in scratch and is forgotten.
 from math import sqrt
 from typing import Final
 
-import numpy as np
-from numba.cpython.unsafe.numbers import trailing_zeros
-
-from components.arrays import Float64s, Int8s, Int32s
+from components.arrays import Float64s, Int8s
 from components.ground import Terrain, clearance
 from components.kernels import inlined
 from systems.mind.attention import NO_DANGER, Attention
@@ -29,9 +26,6 @@ BLIND: Final = 0.75
 _ROOM: Final = 0.4
 """Room kept from a fish that crosses, over the sum of both lengths; enlarged as 6.2 asks."""
 
-_WORD: Final = 64
-"""Fishes around that are marked in a whole number, a bit each."""
-
 _SUBMARINE_ROOM: Final = 2.5
 """[m] kept from the submarine's middle."""
 
@@ -41,16 +35,6 @@ def in_view(dx: float, dy: float, dz: float, hx: float, hy: float, hz: float) ->
     """Return whether what lies at the offset (dx, dy, dz) is within the 300 degree cone around h."""
     along = dx * hx + dy * hy + dz * hz
     return bool(along >= 0.0 or along * along < BLIND * (dx * dx + dy * dy + dz * dz))
-
-
-@inlined
-def _list_bits(bits: np.uint64, begin: int, out: Int32s, found: int) -> int:
-    """Add `begin` plus the place of each of the `bits` to `out`, which holds `found`; return how many it holds then."""
-    while bits != 0:
-        out[found] = begin + np.int64(trailing_zeros(bits))
-        found += 1
-        bits &= bits - np.uint64(1)
-    return found
 
 
 @inlined
@@ -67,31 +51,30 @@ def see_around(
     """List who is seen or felt within `reach` [m] of the `number` around; return how many of each there are.
 
     They are those of its kind, and, for who is `wary`, those who may cross its way: a schooler keeps clear of its own
-    kind by separation alone. Vector units mark them, a bit each: of a dozen branches each would be guessed wrong.
+    kind by separation alone. Vector units mark them, a byte each, and who is marked is listed without a branch: of a
+    dozen branches each would be guessed wrong.
     """
     xs, ys, zs = attention.around_x[piece], attention.around_y[piece], attention.around_z[piece]
     around, kinds, square = attention.around[piece], attention.kinds[piece], attention.square[piece]
     company, others = attention.company[piece], attention.others[piece]
+    seen = attention.seen[piece]
     x, y, z = crowd.x[me], crowd.y[me], crowd.z[me]
     hx, hy, hz = crowd.hx[me], crowd.hy[me], crowd.hz[me]
     limit = reach * reach
     felt = LATERAL_LINE * LATERAL_LINE * crowd.length[me] * crowd.length[me]
+    for k in range(number):
+        dx, dy, dz = xs[k] - x, ys[k] - y, zs[k] - z
+        s = dx * dx + dy * dy + dz * dz
+        along = dx * hx + dy * hy + dz * hz
+        in_sight = (along >= 0.0) | (along * along < BLIND * s) | (s < felt)
+        square[k] = s
+        seen[k] = in_sight & (s <= limit) & (around[k] != me)
     kind, loner, same, crossing = crowd.species[me], not schooling, 0, 0
-    for begin in range(0, number, _WORD):
-        own = other = np.uint64(0)
-        for k in range(begin, min(begin + _WORD, number)):
-            dx, dy, dz = xs[k] - x, ys[k] - y, zs[k] - z
-            s = dx * dx + dy * dy + dz * dz
-            along = dx * hx + dy * hy + dz * hz
-            seen = (along >= 0.0) | (along * along < BLIND * s) | (s < felt)
-            seen &= (s <= limit) & (around[k] != me)
-            alike = kinds[k] == kind
-            square[k] = s
-            at = np.uint64(k - begin)
-            own |= np.uint64(1 if seen & alike else 0) << at
-            other |= np.uint64(1 if wary & seen & (loner | (not alike)) else 0) << at
-        same = _list_bits(own, begin, company, same)
-        crossing = _list_bits(other, begin, others, crossing)
+    for k in range(number):
+        alike = kinds[k] == kind
+        company[same], others[crossing] = k, k
+        same += seen[k] & alike
+        crossing += seen[k] & wary & (loner | (not alike))
     return same, crossing
 
 

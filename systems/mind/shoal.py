@@ -4,7 +4,7 @@ Their number, mean place and mean heading over squares of the plan, summed in wh
 summation cannot matter.
 """
 
-from typing import Final
+from typing import Final, TypeAlias
 
 import numba
 import numpy as np
@@ -17,6 +17,11 @@ from systems.mind.grid import Plan
 
 FIXED: Final = 65536.0
 """Whole numbers to a metre, or to a unit of heading, in the sums."""
+
+Sums: TypeAlias = tuple[int, int, int, int, int, int, int]
+"""Number, x, y, z and heading of a shoal, by `FIXED` but the first."""
+
+NO_SHOAL: Final = (0, 0, 0, 0, 0, 0, 0)
 
 
 @row
@@ -70,43 +75,44 @@ def sum_on_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
 
 
 @inlined
-def see_shoal(plan: Plan, crowd: Crowd, me: int, sight: float, shoal: Float64s) -> float:
-    """Write offset [m] and mean heading of one's own kind over nine squares, (6,); return how many.
+def square_of(plan: Plan, column: int) -> int:
+    """Return the square of the plan in which a column lies."""
+    strip = column // plan.columns // plan.block
+    return strip * plan.squares + column % plan.columns // plan.block
 
-    None where their middle is out of sight. The fish itself is left out.
-    """
-    side, kind = plan.squares, crowd.species[me]
-    cx, cy = (
-        crowd.column[me] // plan.columns // plan.block,
-        crowd.column[me] % plan.columns // plan.block,
-    )
-    number = np.int64(-1)
-    x, y, z = (
-        -np.int64(crowd.x[me] * FIXED),
-        -np.int64(crowd.y[me] * FIXED),
-        -np.int64(crowd.z[me] * FIXED),
-    )
-    u, v, w = (
-        -np.int64(crowd.hx[me] * FIXED),
-        -np.int64(crowd.hy[me] * FIXED),
-        -np.int64(crowd.hz[me] * FIXED),
-    )
+
+@row
+def sum_around(plan: Plan, crowd: Crowd, kind: int, square: int) -> Sums:
+    """Return the sums of a kind over the nine squares around a square."""
+    side = plan.squares
+    cx, cy = square // side, square % side
+    number = x = y = z = u = v = w = np.int64(0)
     for i in range(max(cx - 1, 0), min(cx + 2, side)):
         for j in range(max(cy - 1, 0), min(cy + 2, side)):
-            at = i * side + j
-            number += crowd.shoal[kind, at, 0]
-            x += crowd.shoal[kind, at, 1]
-            y += crowd.shoal[kind, at, 2]
-            z += crowd.shoal[kind, at, 3]
-            u += crowd.shoal[kind, at, 4]
-            v += crowd.shoal[kind, at, 5]
-            w += crowd.shoal[kind, at, 6]
+            sums = crowd.shoal[kind, i * side + j]
+            number += sums[0]
+            x, y, z = x + sums[1], y + sums[2], z + sums[3]
+            u, v, w = u + sums[4], v + sums[5], w + sums[6]
+    return number, x, y, z, u, v, w
+
+
+@inlined
+def see_shoal(crowd: Crowd, me: int, sums: Sums, sight: float, shoal: Float64s) -> float:
+    """Write offset [m] and mean heading of one's own kind, (6,), of whom `sum_around` told; return how many.
+
+    None where their middle is out of `sight` [m]. The fish itself is left out.
+    """
+    number = sums[0] - 1
     if number <= 0:
         return 0.0
     whole = number * FIXED
-    dx, dy, dz = x / whole - crowd.x[me], y / whole - crowd.y[me], z / whole - crowd.z[me]
+    dx = (sums[1] - np.int64(crowd.x[me] * FIXED)) / whole - crowd.x[me]
+    dy = (sums[2] - np.int64(crowd.y[me] * FIXED)) / whole - crowd.y[me]
+    dz = (sums[3] - np.int64(crowd.z[me] * FIXED)) / whole - crowd.z[me]
     if dx * dx + dy * dy + dz * dz > sight * sight:
         return 0.0
     shoal[0], shoal[1], shoal[2] = dx, dy, dz
-    shoal[3], shoal[4], shoal[5] = u / whole, v / whole, w / whole
+    shoal[3] = (sums[4] - np.int64(crowd.hx[me] * FIXED)) / whole
+    shoal[4] = (sums[5] - np.int64(crowd.hy[me] * FIXED)) / whole
+    shoal[5] = (sums[6] - np.int64(crowd.hz[me] * FIXED)) / whole
     return float(number)

@@ -10,7 +10,7 @@ from components.kernels import inlined, merged
 from components.prefetch import prefetch
 from systems.mind.attention import BATCH, Thoughts
 from systems.mind.crowd import place_of
-from systems.mind.intend import EAT, ESCAPE, LEAVE, MATE
+from systems.mind.intend import EAT, ESCAPE, LEAVE, MATE, WANDER
 from systems.mind.scene import Minds, Scene
 
 LATE: Final = 6
@@ -74,6 +74,9 @@ def list_turns(
             thoughts.me[at], thoughts.previous[at], thoughts.target[at] = me, previous, target
             thoughts.looks[at] = _looks_round(scene.now, crowd.id[me], minds, i)
             _ask_for(minds, i)
+            if previous == WANDER:
+                prefetch(minds.wander_until, i)
+                prefetch(minds.wander, i)
             at += 1
         me += 1
     return at, me
