@@ -13,6 +13,9 @@ from systems.mind.crowd import place_of
 from systems.mind.intend import EAT, ESCAPE, LEAVE, MATE, WANDER
 from systems.mind.scene import Minds, Scene
 
+LOOK_EVERY: Final = 4
+"""[thoughts] between two looks round of who has no cause to look more often: .27 s."""
+
 LATE: Final = 6
 """[ticks] after which a fish thinks halfway between two turns of where it is: it has crossed between blocks."""
 
@@ -21,14 +24,12 @@ LATE: Final = 6
 def _looks_round(now: int, identity: int, minds: Minds, i: int) -> bool:
     """Return whether a fish looks round for hunters, food and mates in this thought.
 
-    Who is new, flees, courts, leaves or was interrupted does; else who is afraid in every second thought, who is calm
-    in every fourth.
+    Who is new, flees, courts, leaves or was interrupted does; else in every fourth thought.
     """
     about = minds.intention[i]
     busy = (about == ESCAPE) | (about == MATE) | (about == LEAVE) | (minds.memory[i] >= 0)
     new = minds.thought_at[i] < 0
-    others = 1 if minds.fear[i] > 0.0 else 3
-    return bool(busy | new | ((now // 4 + identity) & others == 0))
+    return bool(busy | new | ((now // 4 + identity) % LOOK_EVERY == 0))
 
 
 @inlined

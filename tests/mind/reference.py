@@ -468,7 +468,7 @@ class Reference:
         near, when, other = self._around(me, target)
         company = (len(near) + self._shoal(me)) if schooling else 0
         busy = old.intention in (MATE, LEAVE, ESCAPE) or old.memory >= 0 or me.id in self.new
-        looks = busy or (self.now // 4 + me.id) % (2 if old.fear > 0.0 else 4) == 0
+        looks = busy or (self.now // 4 + me.id) % 4 == 0
         hunters: list[tuple[float, Body]] = []
         soon, big = NOBODY, -1
         if looks:
