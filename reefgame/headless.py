@@ -52,6 +52,8 @@ def replay(options: argparse.Namespace) -> int:
     for path in outputs:
         check_output(path)
     watched = not (options.headless or options.verify or any(outputs))
+    if watched or options.video or options.picture:
+        _something_to_see(options.file, record)
     content = open_level(record.level, options.mod, not watched, record.live > 0)
     _same_content(options.file, record, content)
     if watched:
@@ -79,6 +81,14 @@ def _same_content(path: Path, record: Replay, content: Content) -> None:
         raise InputError(
             f"{path}:4:1: recorded with other content of level '{record.level}' than is installed; "
             "the same mods must be given"
+        )
+
+
+def _something_to_see(path: Path, record: Replay) -> None:
+    if record.ticks == 0:
+        after = 7 if record.live > 0 else 6
+        raise InputError(
+            f"{path}:{after}:1: no tick was recorded after the header; a dive of one tick at least can be shown"
         )
 
 

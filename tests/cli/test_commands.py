@@ -42,6 +42,19 @@ def test_a_recording_cut_short_is_verified_to_its_last_checksum(
     assert "cut short" in out
 
 
+@pytest.mark.parametrize("shown", [(), ("--video", "dive.mp4"), ("--picture", "best.png")])
+def test_a_recording_cut_before_its_first_tick_has_nothing_to_show(
+    reefgame: Run, recording: Path, shown: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(recording.parent)
+    recording.write_text("".join(recording.read_text().splitlines(keepends=True)[:6]))
+    status, _, err = reefgame("replay", recording.name, *shown)
+    assert status == 1
+    assert err.startswith("dive.replay:6:1: no tick was recorded after the header")
+    assert err.count("\n") == 1
+    assert [path.name for path in Path().iterdir()] == ["dive.replay"]
+
+
 def test_a_changed_command_is_a_desync_named_in_one_line(reefgame: Run, recording: Path) -> None:
     lines = recording.read_text().splitlines(keepends=True)
     assert "=" in lines[6]
