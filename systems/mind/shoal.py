@@ -7,7 +7,6 @@ summation cannot matter.
 from typing import Final, TypeAlias
 
 import numba
-import numpy as np
 
 from components.arrays import Float64s, Int8s
 from components.kernel_turns import first_turn, next_turn
@@ -86,13 +85,13 @@ def sum_around(plan: Plan, crowd: Crowd, kind: int, square: int) -> Sums:
     """Return the sums of a kind over the nine squares around a square."""
     side = plan.squares
     cx, cy = square // side, square % side
-    number = x = y = z = u = v = w = np.int64(0)
+    number = x = y = z = u = v = w = 0
     for i in range(max(cx - 1, 0), min(cx + 2, side)):
         for j in range(max(cy - 1, 0), min(cy + 2, side)):
             sums = crowd.shoal[kind, i * side + j]
-            number += sums[0]
-            x, y, z = x + sums[1], y + sums[2], z + sums[3]
-            u, v, w = u + sums[4], v + sums[5], w + sums[6]
+            number += int(sums[0])
+            x, y, z = x + int(sums[1]), y + int(sums[2]), z + int(sums[3])
+            u, v, w = u + int(sums[4]), v + int(sums[5]), w + int(sums[6])
     return number, x, y, z, u, v, w
 
 
@@ -106,13 +105,13 @@ def see_shoal(crowd: Crowd, me: int, sums: Sums, sight: float, shoal: Float64s) 
     if number <= 0:
         return 0.0
     whole = number * FIXED
-    dx = (sums[1] - np.int64(crowd.x[me] * FIXED)) / whole - crowd.x[me]
-    dy = (sums[2] - np.int64(crowd.y[me] * FIXED)) / whole - crowd.y[me]
-    dz = (sums[3] - np.int64(crowd.z[me] * FIXED)) / whole - crowd.z[me]
+    dx = (sums[1] - int(crowd.x[me] * FIXED)) / whole - crowd.x[me]
+    dy = (sums[2] - int(crowd.y[me] * FIXED)) / whole - crowd.y[me]
+    dz = (sums[3] - int(crowd.z[me] * FIXED)) / whole - crowd.z[me]
     if dx * dx + dy * dy + dz * dz > sight * sight:
         return 0.0
     shoal[0], shoal[1], shoal[2] = dx, dy, dz
-    shoal[3] = (sums[4] - np.int64(crowd.hx[me] * FIXED)) / whole
-    shoal[4] = (sums[5] - np.int64(crowd.hy[me] * FIXED)) / whole
-    shoal[5] = (sums[6] - np.int64(crowd.hz[me] * FIXED)) / whole
+    shoal[3] = (sums[4] - int(crowd.hx[me] * FIXED)) / whole
+    shoal[4] = (sums[5] - int(crowd.hy[me] * FIXED)) / whole
+    shoal[5] = (sums[6] - int(crowd.hz[me] * FIXED)) / whole
     return float(number)

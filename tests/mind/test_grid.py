@@ -70,3 +70,26 @@ def test_shoals_count_the_schooling_alone(pond: ModuleType) -> None:
     squares = scene.think.grid.plan.squares**2
     numbers = scene.think.grid.crowd.shoal[:, :squares, 0].sum(axis=1)
     assert numbers.tolist() == [120, 0]
+
+
+def test_each_sees_the_shoal_of_its_own_kind_around_its_own_square(pond: ModuleType) -> None:
+    scene = pond.Pond(40, 24, spread=14.0)
+    scene.senses.schooling[:] = 1
+    scene.think()
+    plan, crowd, thoughts = scene.think.grid.plan, scene.think.grid.crowd, scene.think._thoughts
+    column, kind = crowd.column[:64], crowd.species[:64]
+    x, y = column // plan.columns // plan.block, column % plan.columns // plan.block
+    place = np.stack([crowd.x, crowd.y, crowd.z], axis=1)[:64]
+    shoals = set()
+    for me in range(64):
+        assert thoughts.me[me] == me
+        near = (abs(x - x[me]) <= 1) & (abs(y - y[me]) <= 1) & (kind == kind[me])
+        near[me] = False
+        seen, number = int(thoughts.number[me]), int(near.sum())
+        offset = place[near].mean(axis=0) - place[me] if number else np.full(3, np.inf)
+        sight = 2.0 * scene.senses.sight[kind[me]]
+        assert seen == (number if np.linalg.norm(offset) <= sight else 0)
+        if seen:
+            np.testing.assert_allclose(thoughts.shoal[me, :3], offset, atol=1e-4)
+            shoals.add((kind[me], x[me], y[me]))
+    assert len(shoals) > 4
