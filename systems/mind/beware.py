@@ -61,12 +61,12 @@ def watch_hunters(
         k = listed[at]
         other = sparse.what[k]
         dx, dy, dz = sparse.x[k] - x, sparse.y[k] - y, sparse.z[k] - z
-        s, size = dx * dx + dy * dy + dz * dz, crowd.length[other]
+        s, size = dx * dx + dy * dy + dz * dz, sparse.size[k]
         felt = LATERAL_LINE * length + WAKE * size
         along = dx * hx + dy * hy + dz * hz
         seen = (along >= 0.0) | (along * along < BLIND * s) | (s < felt * felt)
         seen &= (s <= min(limit, keen * size)) & (other != me) & (many < MOST_AROUND)
-        eats = senses.eats[crowd.species[other], kind] != 0
+        eats = senses.eats[sparse.kind[k], kind] != 0
         looms = (other != target) & (s < LOOMS * size * LOOMS * size) & (large < MOST_AROUND)
         eaters[many], square[many], big[large] = other, s, other
         many += seen & eats & can_swallow(size, length)

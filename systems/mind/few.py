@@ -86,6 +86,10 @@ def sort_few(
     many, few = _list_fishes(fishes, crowd, senses.hunts, senses.schooling, what, others)
     x, y, z = crowd.x, crowd.y, crowd.z
     hunting = sort_sparse(room.hunters, depth, least, many, x, y, z, what, keys)
+    for k in range(many):
+        # Many a mind looks at all of these, who stand far apart in the crowd.
+        hunter = room.hunters.what[k]
+        room.hunters.size[k], room.hunters.kind[k] = crowd.length[hunter], crowd.species[hunter]
     courting = sort_sparse(room.willing, depth, least, few, x, y, z, others, keys)
     many = _list_edible(particles, now, larder, room)
     edible = sort_sparse(room.food, depth, least, many, room.x, room.y, room.z, what, keys)

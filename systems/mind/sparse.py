@@ -48,6 +48,10 @@ class Sparse(NamedTuple):
     "[m]"
     what: Int32s
     "place in the crowd, or row in the table of food"
+    size: Float64s
+    "[m] length of each fish that hunts; of the others it is not told"
+    kind: Int32s
+    "species of each fish that hunts; of the others it is not told"
     step: Int32s
     "each which of all is listed, so that no run of cells lists more than `LONGEST_RUN`, (1,)"
 
@@ -118,7 +122,8 @@ def divided(room: Sparse, cells: tuple[float, int, int, int]) -> Sparse:
     """Return `room` as `sort_sparse` says that it is divided."""
     cell, side, layers, number = cells
     return Sparse(
-        cell, room.extent, side, layers, number, room.first, room.x, room.y, room.z, room.what, room.step
+        cell, room.extent, side, layers, number, room.first, room.x, room.y, room.z, room.what, room.size,
+        room.kind, room.step,
     )  # fmt: skip
 
 
@@ -167,6 +172,10 @@ def make_sparse(terrain: Terrain, capacity: int) -> Sparse:
     """Return room for `capacity` points of a world."""
     layers = max(1, ceil(terrain.depth * _MOST_SIDE / (2.0 * terrain.radius)))
     first = np.zeros(_MOST_SIDE * _MOST_SIDE * layers + 2, np.int32)
-    x, y, z = (np.zeros(capacity) for _ in range(3))
-    what, step = np.zeros(capacity, np.int32), np.ones(1, np.int32)
-    return Sparse(0.0, terrain.radius, 0, 0, 0, first, x, y, z, what, step)
+    x, y, z, size = (np.zeros(capacity) for _ in range(4))
+    what, kind, step = (
+        np.zeros(capacity, np.int32),
+        np.zeros(capacity, np.int32),
+        np.ones(1, np.int32),
+    )
+    return Sparse(0.0, terrain.radius, 0, 0, 0, first, x, y, z, what, size, kind, step)

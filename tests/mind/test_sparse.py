@@ -15,7 +15,8 @@ def sorted_points(points: Float64s) -> Sparse:
     zeros = np.zeros(number)
     room = Sparse(
         0.0, RADIUS, 0, 0, number, np.zeros(64 * 64 * 64, np.int32), zeros, zeros.copy(),
-        zeros.copy(), np.zeros(number, np.int32), np.ones(1, np.int32),
+        zeros.copy(), np.zeros(number, np.int32), zeros.copy(), np.zeros(number, np.int32),
+        np.ones(1, np.int32),
     )  # fmt: skip
     what, keys = np.arange(number, dtype=np.int32), np.zeros(number, np.int32)
     x, y, z = np.ascontiguousarray(points.T)
