@@ -205,7 +205,13 @@ def _parts() -> Iterator[Case]:
     """Yield whole minds against bare schooling, both with motion, one thread against two, and where the time goes."""
     threads = numba.get_num_threads()
     full, bare = _lived(10_000), _lived(10_000)
-    schooling = BareSchooling(bare.population, _everyone(bare), bare.terrain, bare.clock)
+    schooling = BareSchooling(
+        bare.population,
+        _everyone(bare),
+        bare.terrain,
+        bare.clock,
+        visibility=bare.habitat.visibility,
+    )
     simple = tuple(schooling if isinstance(s, Think) else s for s in bare.systems)
 
     def whole(threads: int) -> None:

@@ -118,7 +118,7 @@ def _shun(danger: Float64s, fear: float, out: Float64s) -> None:
     out[0], out[1], out[2] = out[0] - push * dx, out[1] - push * dy, out[2] - 0.5 * push * dz
 
 
-@row
+@inlined
 def _wander(
     terrain: Terrain, kind: int, identity: int, x: float, y: float, z: float, pace: float,
     low: float, high: float, seed: int, now: int, until: int, leg: Float64s, out: Float64s,
@@ -195,7 +195,7 @@ def _court(
     """Court the partner in focus, and keep account of the phases."""
     crowd, i = scene.crowd, scene.crowd.row[me]
     kind, identity = crowd.species[me], crowd.id[me]
-    partner = place_of(scene.places, crowd.place, focus)
+    partner = place_of(scene.places, crowd, focus)
     answers = crowd.phase[partner] if crowd.courting[partner] == identity else NONE
     gear, urgency, throttle, phase = mate(
         crowd, me, partner, is_male(scene.seed, identity), minds.courtship[i],
@@ -266,7 +266,7 @@ def _act_one(
             crowd, me, focus == SUBMARINE, thoughts.away[k], thoughts.other[k], when, heading, out
         )
     elif intention == EAT and focus != -1:
-        prey = place_of(scene.places, crowd.place, focus)
+        prey = place_of(scene.places, crowd, focus)
         gear, urgency, throttle, gape = _go_for(
             crowd, me, prey, FOOD - focus, scene.food_position, scene.food_last, speeds,
             senses.nose[kind], senses.mouth[kind], minds.hunger[i], now, out,

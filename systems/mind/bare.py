@@ -27,23 +27,20 @@ from systems.mind.grid import (
 )
 from systems.mind.nearest import nearest_of_kind
 from systems.mind.perceive import see_around
+from systems.mind.turns import quarter
 
 
 @row
 def flock_some(
-    turn: int, every: int, begin: int, end: int, plan: Plan, crowd: Crowd, senses: SenseTable,
+    begin: int, end: int, plan: Plan, crowd: Crowd, senses: SenseTable,
     heading: Float64s, gear: Int8s, attention: Attention, piece: int,
 ) -> None:  # fmt: skip
-    """Let those of places begin..end whose turn it is school."""
-    side = plan.columns
-    column = layer = here = -1
-    mine = around = 0
+    """Let those of places begin..end school."""
+    column = layer = -1
+    around = 0
     for me in range(begin, end):
-        if crowd.column[me] != here:
-            here = crowd.column[me]
-            mine = here // side // 3 + 2 * (here % side // 3) - turn
         kind = crowd.species[me]
-        if (every > 1 and mine & 3 != 0) or senses.schooling[kind] == 0:
+        if senses.schooling[kind] == 0:
             continue
         if crowd.column[me] != column or crowd.layer[me] != layer:
             column, layer = crowd.column[me], crowd.layer[me]
@@ -62,40 +59,38 @@ def flock_some(
 
 @loop
 def flock_all(
-    pieces: int, turn: int, every: int, number: int, plan: Plan, crowd: Crowd, senses: SenseTable,
+    pieces: int, begin: int, end: int, plan: Plan, crowd: Crowd, senses: SenseTable,
     heading: Float64s, gear: Int8s, attention: Attention,
 ) -> None:  # fmt: skip
-    """Let those school whose turn it is, on all threads."""
+    """Let those of places begin..end school, on all threads."""
     turns = first_turn()
     for _ in numba.prange(pieces):
         piece = next_turn(turns)
         while piece < pieces:
-            begin, end = number * piece // pieces, number * (piece + 1) // pieces
-            flock_some(
-                turn, every, begin, end, plan, crowd, senses, heading, gear, attention,
-                piece,
-            )  # fmt: skip
+            first = begin + (end - begin) * piece // pieces
+            last = begin + (end - begin) * (piece + 1) // pieces
+            flock_some(first, last, plan, crowd, senses, heading, gear, attention, piece)
             piece = next_turn(turns)
 
 
 @row
 def school_serially(
-    turn: int, every: int, number: int, plan: Plan, sorting: Sorting, rows: Rows, crowd: Crowd,
+    begin_end: tuple[int, int], number: int, plan: Plan, sorting: Sorting, rows: Rows, crowd: Crowd,
     senses: SenseTable, heading: Float64s, gear: Int8s, attention: Attention,
 ) -> None:  # fmt: skip
-    """Sort the fishes and let those school whose turn it is, on this thread."""
-    sort_serially(number, plan, sorting, rows, crowd)
-    flock_some(turn, every, 0, number, plan, crowd, senses, heading, gear, attention, 0)
+    """Sort `number` fishes and let those of the places `begin_end` school, on this thread."""
+    sort_serially(number, begin_end, plan, plan.far, plan.block, sorting, rows, crowd)
+    flock_some(begin_end[0], begin_end[1], plan, crowd, senses, heading, gear, attention, 0)
 
 
 @row
 def school_on_all(
-    pieces: int, turn: int, every: int, number: int, plan: Plan, sorting: Sorting, rows: Rows,
+    pieces: int, begin_end: tuple[int, int], number: int, plan: Plan, sorting: Sorting, rows: Rows,
     crowd: Crowd, senses: SenseTable, heading: Float64s, gear: Int8s, attention: Attention,
 ) -> None:  # fmt: skip
-    """Sort the fishes and let those school whose turn it is, on all threads."""
-    sort_on_all(pieces, number, plan, sorting, rows, crowd)
-    flock_all(pieces, turn, every, number, plan, crowd, senses, heading, gear, attention)
+    """Sort `number` fishes and let those of the places `begin_end` school, on all threads."""
+    sort_on_all(pieces, number, begin_end, plan, plan.far, plan.block, sorting, rows, crowd)
+    flock_all(pieces, begin_end[0], begin_end[1], plan, crowd, senses, heading, gear, attention)
 
 
 class BareSchooling:
@@ -108,10 +103,14 @@ class BareSchooling:
         terrain: Terrain,
         clock: Clock,
         every: int = 4,
+        visibility: float = 0.0,
     ) -> None:
-        """Let every fish think each `every` ticks: 4 as whole minds do, or 1."""
+        """Let every fish think each `every` ticks: 4 as whole minds do, or 1.
+
+        The crowd is copied as far as they see whose `visibility` [m] it is, though schooling itself looks less far.
+        """
         self.population, self.senses, self.clock, self.every = population, senses, clock, every
-        self.grid = Grid(population, terrain, senses)
+        self.grid = Grid(population, terrain, senses, visibility)
         self._attention = make_attention()
         self._serially, self._on_all = Launch(school_serially), Launch(school_on_all)
 
@@ -120,8 +119,9 @@ class BareSchooling:
         number, now, motor = self.population.count, self.clock.now, self.population.motor
         grid = self.grid
         grid.prepare(reorder=number >= SERIAL_BELOW and now % TICKS_PER_SECOND == 0)
+        begin_end = quarter(number, now) if self.every > 1 else (0, number)
         given = (
-            now, self.every, number, grid.plan, grid.sorting, grid.rows(), grid.crowd, self.senses,
+            begin_end, number, grid.plan, grid.sorting, grid.rows(), grid.crowd, self.senses,
             motor.heading, motor.gear, self._attention,
         )  # fmt: skip
         if number < SERIAL_BELOW:

@@ -122,7 +122,7 @@ def fear_known(
     It is as afraid as it was `before`, or more if that one has come nearer.
     """
     crowd = scene.crowd
-    other = place_of(scene.places, crowd.place, known)
+    other = place_of(scene.places, crowd, known)
     if other < 0:
         return 0.0, 0.0, -1, 0
     dx, dy, dz = (

@@ -29,7 +29,7 @@ _MATE: Final = int(Intention.MATE)
 
 
 class Crowd(NamedTuple):
-    """The fishes in the order of cells, as minds see each other; (capacity,) each but `first` and `shoal`."""
+    """The fishes in the order of cells, as minds see each other; (capacity,) each but the last three."""
 
     x: Float64s
     "[m]"
@@ -69,6 +69,9 @@ class Crowd(NamedTuple):
     "where each column begins, (columns^2 + 2,)"
     shoal: Int64s
     "number, sums of x, y, z [m / FIXED] and of heading, (species, squares^2, 7)"
+    stretch: Int32s
+    """what those who think in this tick may look at: begin and end of the places copied, the first strip of squares
+    summed and the one after the last, (4,)"""
 
 
 class Rows(NamedTuple):
@@ -100,12 +103,16 @@ class Sorting(NamedTuple):
 
 
 @inlined
-def place_of(places: Places, place: Int32s, identity: int) -> int:
-    """Return where the fish `identity` stands in the crowd, whose `place` it is, -1 where it lives no more."""
+def place_of(places: Places, crowd: Crowd, identity: int) -> int:
+    """Return where the fish `identity` stands in the crowd, -1 where it lives no more or too far away to be copied."""
     if identity < 0:
         return -1
     i = row_of(places, identity)
-    return place[i] if i >= 0 else -1
+    if i < 0:
+        return -1
+    k = crowd.place[i]
+    # Who is not copied has an old place, where another stands now.
+    return k if crowd.stretch[0] <= k < crowd.stretch[1] and crowd.row[k] == i else -1
 
 
 @inlined
@@ -193,14 +200,17 @@ def copy_columns(
 
 
 @loop
-def copy_all(pieces: int, number: int, sorting: Sorting, rows: Rows, crowd: Crowd) -> None:
-    """Copy `number` fishes on all threads, a share of the columns to each of `pieces`."""
+def copy_all(
+    pieces: int, begin: int, end: int, number: int, sorting: Sorting, rows: Rows, crowd: Crowd
+) -> None:
+    """Copy the columns that begin within begin..end on all threads, a share to each of `pieces`."""
     turns = first_turn()
     for _ in numba.prange(pieces):
         piece = next_turn(turns)
         while piece < pieces:
-            begin, end = number * piece // pieces, number * (piece + 1) // pieces
-            copy_columns(begin, end, number, sorting, rows, crowd)
+            first = begin + (end - begin) * piece // pieces
+            last = begin + (end - begin) * (piece + 1) // pieces
+            copy_columns(first, last, number, sorting, rows, crowd)
             piece = next_turn(turns)
 
 
@@ -231,4 +241,5 @@ def make_crowd(capacity: int, columns: int, kinds: int, squares: int) -> Crowd:
         layer=wholes(),
         first=np.zeros(columns + 2, np.int32),
         shoal=np.zeros((kinds, squares, SUMS), np.int64),
+        stretch=np.zeros(4, np.int32),
     )

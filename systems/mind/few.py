@@ -44,15 +44,15 @@ class Room(NamedTuple):
 
 @row
 def _list_fishes(
-    number: int, crowd: Crowd, hunts: Int8s, schooling: Int8s, hunters: Int32s, willing: Int32s
+    crowd: Crowd, hunts: Int8s, schooling: Int8s, hunters: Int32s, willing: Int32s
 ) -> tuple[int, int]:
-    """List, in the order of the crowd, who eats others, and who courts or would of species that do not school.
+    """List, in the order of the crowd, who of those copied eats others, and who courts or would and does not school.
 
     Return how many each are; (capacity,) each.
     """
     species, ready, courting = crowd.species, crowd.ready, crowd.courting
     many = few = 0
-    for k in range(number):
+    for k in range(crowd.stretch[0], crowd.stretch[1]):
         hunters[many], willing[few] = k, k
         many += hunts[species[k]] != 0
         few += ((ready[k] != 0) | (courting[k] >= 0)) & (schooling[species[k]] == 0)
@@ -75,24 +75,28 @@ def _list_edible(number: int, now: int, larder: Larder, room: Room) -> int:
 
 @row
 def sort_few(
-    crowd: Crowd, fishes: int, senses: SenseTable, larder: Larder, particles: int, now: int,
+    crowd: Crowd, fishes: int, hunters: int, senses: SenseTable, larder: Larder, particles: int, now: int,
     depth: float, least: float, room: Room,
 ) -> tuple[Sparse, Sparse, Sparse]:  # fmt: skip
-    """Sort a crowd's hunters and willing, and the food in the water, into their room; return them in this order.
+    """Sort the hunters and willing copied, and the food in the water, into their room; return them in this order.
 
-    Cells are at least `least` [m] wide; `depth` [m] is the world's.
+    There are `fishes` in all, of whom `hunters` eat others. Cells are at least `least` [m] wide; `depth` [m] is the
+    world's.
     """
     what, others, keys = room.what, room.others, room.keys
-    many, few = _list_fishes(fishes, crowd, senses.hunts, senses.schooling, what, others)
+    copied = max(crowd.stretch[1] - crowd.stretch[0], 1)
+    many, few = _list_fishes(crowd, senses.hunts, senses.schooling, what, others)
     x, y, z = crowd.x, crowd.y, crowd.z
-    hunting = sort_sparse(room.hunters, depth, least, many, x, y, z, what, keys)
+    hunting = sort_sparse(room.hunters, depth, least, many, hunters, x, y, z, what, keys)
     for k in range(many):
         # Many a mind looks at all of these, who stand far apart in the crowd.
         hunter = room.hunters.what[k]
         room.hunters.size[k], room.hunters.kind[k] = crowd.length[hunter], crowd.species[hunter]
-    courting = sort_sparse(room.willing, depth, least, few, x, y, z, others, keys)
+    courting = sort_sparse(
+        room.willing, depth, least, few, few * fishes // copied, x, y, z, others, keys
+    )
     many = _list_edible(particles, now, larder, room)
-    edible = sort_sparse(room.food, depth, least, many, room.x, room.y, room.z, what, keys)
+    edible = sort_sparse(room.food, depth, least, many, many, room.x, room.y, room.z, what, keys)
     return (
         divided(room.hunters, hunting), divided(room.willing, courting), divided(room.food, edible)
     )  # fmt: skip

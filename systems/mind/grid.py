@@ -59,12 +59,19 @@ class Plan(NamedTuple):
     "columns a side of the squares over which shoals are summed"
     squares: int
     "such squares a side"
+    far: int
+    "columns within which all lies that anybody sees"
+    hunters: int
+    "fishes of species that eat others"
     crowded: bool
     "whether a cell is as small as `REACH` asks; else it is wider, and fishes look as far as it is"
 
 
-def divide(terrain: Terrain, senses: SenseTable, counts: Int64s) -> Plan:
-    """Return the plan for `counts` fishes of each species, (S,): finer for more."""
+def divide(terrain: Terrain, senses: SenseTable, counts: Int64s, visibility: float) -> Plan:
+    """Return the plan for `counts` fishes of each species, (S,): finer for more.
+
+    Nobody sees farther than `visibility` [m].
+    """
     number = int(counts.sum())
     mean = sum(int(n) * float(s) for n, s in zip(counts, senses.length, strict=True))
     mean /= max(number, 1)
@@ -75,7 +82,9 @@ def divide(terrain: Terrain, senses: SenseTable, counts: Int64s) -> Plan:
     block = max(1, ceil(float(max(senses.sight, default=1.0)) / cell))
     squares = ceil(columns / block)
     layers = ceil(terrain.depth / cell) + 1
-    return Plan(cell, columns, layers, terrain.radius, block, squares, cell > widest)
+    far = max(1, ceil(min(visibility, side) / cell))
+    hunters = int(counts[senses.hunts != 0].sum())
+    return Plan(cell, columns, layers, terrain.radius, block, squares, far, hunters, cell > widest)
 
 
 @inlined
@@ -115,11 +124,45 @@ def sort_columns(number: int, plan: Plan, sorting: Sorting, first: Int32s) -> No
 
 
 @row
-def sort_serially(number: int, plan: Plan, sorting: Sorting, rows: Rows, crowd: Crowd) -> None:
-    """Sort `number` fishes into cells and copy them, on this thread."""
+def choose_stretch(
+    number: int, begin_end: tuple[int, int], plan: Plan, far: int, block: int, sorting: Sorting,
+    crowd: Crowd,
+) -> None:  # fmt: skip
+    """Write the crowd's `stretch`: what those at the places `begin_end` may look at.
+
+    It is all columns within `far` of theirs, and whole squares, `block` columns wide, beside theirs. The other rows
+    stay as they are: sorted by column.
+    """
+    west = east = 0
+    if number > 0:
+        west = sorting.column[sorting.by_column[begin_end[0]]] // plan.columns
+        east = sorting.column[sorting.by_column[begin_end[1] - 1]] // plan.columns
+    last = -(-plan.columns // block)
+    first, end = max(west // block - 1, 0), min(east // block + 2, last)
+    west, east = min(west - far, first * block), max(east + far + 1, end * block)
+    stretch = crowd.stretch
+    stretch[0] = crowd.first[max(west, 0) * plan.columns]
+    stretch[1] = crowd.first[min(east, plan.columns) * plan.columns]
+    stretch[2], stretch[3] = first, end
+    for k in range(stretch[0]):
+        sorting.order[k] = sorting.by_column[k]
+    for k in range(stretch[1], number):
+        sorting.order[k] = sorting.by_column[k]
+
+
+@row
+def sort_serially(
+    number: int, begin_end: tuple[int, int], plan: Plan, far: int, block: int, sorting: Sorting,
+    rows: Rows, crowd: Crowd,
+) -> None:  # fmt: skip
+    """Sort `number` fishes into cells and copy those that the ones at places `begin_end` may look at, on this thread.
+
+    `far` and `block` are as `choose_stretch` has them.
+    """
     find_cells(0, number, rows.position, plan, sorting.column, sorting.layer)
     sort_columns(number, plan, sorting, crowd.first)
-    copy_columns(0, number, number, sorting, rows, crowd)
+    choose_stretch(number, begin_end, plan, far, block, sorting, crowd)
+    copy_columns(crowd.stretch[0], crowd.stretch[1], number, sorting, rows, crowd)
 
 
 @loop
@@ -133,22 +176,28 @@ def _find_all(
 
 @row
 def sort_on_all(
-    pieces: int, number: int, plan: Plan, sorting: Sorting, rows: Rows, crowd: Crowd
-) -> None:
-    """Sort `number` fishes into cells and copy them, on all threads."""
+    pieces: int, number: int, begin_end: tuple[int, int], plan: Plan, far: int, block: int,
+    sorting: Sorting, rows: Rows, crowd: Crowd,
+) -> None:  # fmt: skip
+    """As `sort_serially`, on all threads."""
     _find_all(pieces, number, rows.position, plan, sorting.column, sorting.layer)
     sort_columns(number, plan, sorting, crowd.first)
-    copy_all(pieces, number, sorting, rows, crowd)
+    choose_stretch(number, begin_end, plan, far, block, sorting, crowd)
+    copy_all(pieces, crowd.stretch[0], crowd.stretch[1], number, sorting, rows, crowd)
 
 
 class Grid:
     """Scratch: room for the fishes in cell order, and how the world is divided for them."""
 
-    def __init__(self, population: Population, terrain: Terrain, senses: SenseTable) -> None:
+    def __init__(
+        self, population: Population, terrain: Terrain, senses: SenseTable, visibility: float
+    ) -> None:
+        """Take the fishes, their world and senses; nobody sees farther than `visibility` [m]."""
         self.population, self.terrain, self.senses = population, terrain, senses
+        self.visibility = visibility
         self._rows = Columns(Rows, population.fish, population.mind)
         self._planned = -1
-        self.plan = divide(terrain, senses, np.zeros(len(senses.length), np.int64))
+        self.plan = divide(terrain, senses, np.zeros(len(senses.length), np.int64), visibility)
         self.crowd, self.sorting = make_crowd(0, 0, 0, 0), make_sorting(0)
         self._sort = Launch(sort_serially)
 
@@ -163,7 +212,7 @@ class Grid:
             self._divide(number)
         if reorder:
             self._start_anew(number)
-            self._sort(number, self.plan, self.sorting, self._rows(), self.crowd)
+            self._sort(number, (0, number), self.plan, 1, 1, self.sorting, self._rows(), self.crowd)
             self.population.reorder(self.sorting.order[:number].astype(np.int64))
             self._start_anew(number)
 
@@ -172,7 +221,7 @@ class Grid:
         self._planned = self.population.changes
         species = self.population.fish.species[:number]
         counts = np.bincount(species, minlength=len(self.senses.length))
-        self.plan = divide(self.terrain, self.senses, counts)
+        self.plan = divide(self.terrain, self.senses, counts, self.visibility)
         self._fit(number)
         self._start_anew(number)
 

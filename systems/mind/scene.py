@@ -73,8 +73,8 @@ class Stage(NamedTuple):
 def look(stage: Stage, now: int, seed: int, number: int, particles: int, submarines: int) -> Scene:
     """Return the scene of the tick `now`, with `number` fishes, whose crowd is sorted already."""
     hunters, willing, food = sort_few(
-        stage.crowd, number, stage.senses, stage.larder, particles, now, stage.terrain.depth,
-        COARSE * stage.plan.cell, stage.room,
+        stage.crowd, number, stage.plan.hunters, stage.senses, stage.larder, particles, now,
+        stage.terrain.depth, COARSE * stage.plan.cell, stage.room,
     )  # fmt: skip
     return Scene(
         now, seed, daylight(stage.habitat, now), stage.plan, stage.crowd, stage.senses, stage.terrain,

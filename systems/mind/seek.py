@@ -51,10 +51,11 @@ def is_male(seed: int, identity: int) -> bool:
 
 
 @row
-def in_company(crowd: Crowd, number: int, other: int) -> bool:
-    """Return whether one of the next in the crowd of `number` fishes is of its kind and within four of its lengths."""
+def in_company(crowd: Crowd, other: int) -> bool:
+    """Return whether one of the next in the crowd is of its kind and within four of its lengths."""
     limit = _COMPANY * crowd.length[other] * _COMPANY * crowd.length[other]
-    for k in range(max(other - _BESIDE, 0), min(other + _BESIDE + 1, number)):
+    begin, end = crowd.stretch[0], crowd.stretch[1]
+    for k in range(max(other - _BESIDE, begin), min(other + _BESIDE + 1, end)):
         if k != other and crowd.species[k] == crowd.species[other]:
             dx, dy, dz = (
                 crowd.x[k] - crowd.x[other],
@@ -67,9 +68,9 @@ def in_company(crowd: Crowd, number: int, other: int) -> bool:
 
 
 @inlined
-def _counted(crowd: Crowd, number: int, other: int, square: float) -> float:
+def _counted(crowd: Crowd, other: int, square: float) -> float:
     """Return the squared distance [m^2] that prey counts as: (1 + b1 S)^2 as much in company."""
-    if in_company(crowd, number, other):
+    if in_company(crowd, other):
         return square * (1.0 + SCHOOLED) * (1.0 + SCHOOLED)
     return square
 
@@ -118,12 +119,12 @@ def _search(scene: Scene, me: int, taken: Int64s, attention: Attention, piece: i
     keen, visibility = sight * sight / length, scene.habitat.visibility
     cx, cy = crowd.column[me] // plan.columns, crowd.column[me] % plan.columns
     found, tested, wide = 0, 0, _FIRST_LOOK
-    last = crowd.first[plan.columns * plan.columns]
     while True:
         found = tested = 0
         reach = min(plan.cell * wide, visibility)
         limit = reach * reach
-        for i in range(max(cx - wide, 0), min(cx + wide + 1, plan.columns)):
+        aside = min(wide, plan.far)
+        for i in range(max(cx - aside, 0), min(cx + aside + 1, plan.columns)):
             for j in range(max(cy - wide, 0), min(cy + wide + 1, plan.columns)):
                 begin = crowd.first[i * plan.columns + j]
                 end = crowd.first[i * plan.columns + j + 1]
@@ -145,7 +146,7 @@ def _search(scene: Scene, me: int, taken: Int64s, attention: Attention, piece: i
                     if not _is_prey(scene, me, k, taken):
                         continue
                     if in_view(dx, dy, dz, crowd.hx[me], crowd.hy[me], crowd.hz[me]):
-                        counted = _counted(crowd, last, k, square)
+                        counted = _counted(crowd, k, square)
                         found = insert(k, counted, sought, distance, found)
         most = min(_FARTHEST_PREY * sight, visibility)
         if found >= NEIGHBOURS or tested > _MOST_TESTED or reach >= most or wide >= _WIDEST:
@@ -174,13 +175,13 @@ def seek_prey(
 
     `kept` is the place of the prey it is after, -1 for none: it stays with it unless another costs much less.
     """
-    crowd, last = scene.crowd, scene.crowd.first[scene.plan.columns * scene.plan.columns]
+    crowd = scene.crowd
     found = _search(scene, me, taken, attention, piece)
     best, least, near = -1, 1e18, 1e18
     for k in range(found):
         other = attention.sought[piece, k]
         far = cost = sqrt(attention.sought_distance[piece, k])
-        if in_company(crowd, last, other):
+        if in_company(crowd, other):
             far /= 1.0 + SCHOOLED
         cost *= _turning(crowd, me, other, far)
         if other == kept:

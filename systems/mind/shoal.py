@@ -57,20 +57,20 @@ def _sum_strip(strip: int, plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
 
 @row
 def sum_serially(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
-    """Sum the shoals of a crowd on this thread; `schooling` is per species, (S,)."""
-    for strip in range(plan.squares):
+    """Sum the shoals of a crowd's stretch on this thread; `schooling` is per species, (S,)."""
+    for strip in range(crowd.stretch[2], crowd.stretch[3]):
         _sum_strip(strip, plan, schooling, crowd)
 
 
 @loop
 def sum_on_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
-    """Sum the shoals of a crowd on all threads; `schooling` is per species, (S,)."""
-    turns = first_turn()
-    for _ in numba.prange(plan.squares):
-        strip = next_turn(turns)
-        while strip < plan.squares:
+    """Sum the shoals of a crowd's stretch on all threads; `schooling` is per species, (S,)."""
+    turns, first, end = first_turn(), crowd.stretch[2], crowd.stretch[3]
+    for _ in numba.prange(end - first):
+        strip = first + next_turn(turns)
+        while strip < end:
             _sum_strip(strip, plan, schooling, crowd)
-            strip = next_turn(turns)
+            strip = first + next_turn(turns)
 
 
 @inlined

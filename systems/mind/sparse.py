@@ -86,15 +86,15 @@ def _index(sparse: Sparse, x: float, y: float, z: float) -> tuple[int, int, int]
 
 @row
 def sort_sparse(
-    room: Sparse, depth: float, least: float, number: int,
+    room: Sparse, depth: float, least: float, number: int, whole: int,
     x: Float64s, y: Float64s, z: Float64s, what: Int32s, keys: Int32s,
 ) -> tuple[float, int, int, int]:  # fmt: skip
     """Put `number` points that `what` names, in its order, into cells at least `least` [m] wide.
 
-    Return the cells' side [m], cells a side, layers and `number`, which `room` does not know yet. `depth` [m] is the
-    world's; `keys` is scratch, (capacity,).
+    By the `whole` number that there is in the world, about, goes the cells' size. Return the cells' side [m], cells a
+    side, layers and `number`, which `room` does not know yet. `depth` [m] is the world's; `keys` is scratch.
     """
-    cell, side, layers = divide_coarsely(room.extent, depth, number, least)
+    cell, side, layers = divide_coarsely(room.extent, depth, whole, least)
     first = room.first
     sparse = divided(room, (cell, side, layers, number))
     first[: side * side * layers + 2] = 0

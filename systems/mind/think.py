@@ -1,9 +1,8 @@
 """Think: every mind, fifteen times a second (papers/000 sections 3.2 and 6; papers/004).
 
 One loop over the fishes in cell order calls perceive, feel, intend and behave in turn for each. A quarter of them
-thinks in a tick, by blocks of 3 x 3 columns, so that neighbours share the look around their cell; who crosses between
-blocks thinks at the latest after eight ticks. Nothing of what was perceived is kept but the focus, the predator feared
-most, the intention and its reason.
+thinks in a tick, side by side in the plan (systems/mind/turns.py). Nothing of what was perceived is kept but the focus,
+the predator feared most, the intention and its reason.
 """
 
 import numba
@@ -49,19 +48,19 @@ from systems.mind.notice import (
 from systems.mind.scene import Minds, Scene, Stage, look
 from systems.mind.shoal import sum_on_all, sum_serially
 from systems.mind.sparse import Sparse
-from systems.mind.turns import list_turns
+from systems.mind.turns import list_turns, quarter, thinking
 from systems.mind.want import want_mates, want_meals
 
 
 @row
 def think_some(
-    scene: Scene, begin: int, end: int, minds: Minds, thoughts: Thoughts, attention: Attention,
-    piece: int,
+    scene: Scene, begin: int, end: int, mine: tuple[int, int], minds: Minds, thoughts: Thoughts,
+    attention: Attention, piece: int,
 ) -> None:  # fmt: skip
     """Let those think whose turn it is, among places begin..end of the crowd: perceive, feel, intend and behave."""
     row, at = piece * BATCH, begin
     while at < end:
-        last, at = list_turns(scene, at, end, minds, thoughts, row)
+        last, at = list_turns(scene, at, end, mine, minds, thoughts, row)
         notice_company(scene, thoughts, row, last, attention, piece)
         notice_shoals(scene, thoughts, row, last)
         notice_hunters(scene, minds, thoughts, row, last, attention, piece)
@@ -78,11 +77,13 @@ def think_in_turn(
     scene: Scene, pieces: int, turns: int, number: int, minds: Minds, thoughts: Thoughts,
     attention: Attention,
 ) -> None:  # fmt: skip
-    """Let those of one piece of the crowd after the other think, as long as there is one."""
+    """Let one piece after the other of those who think do so, as long as there is one."""
+    mine, (begin, end) = quarter(number, scene.now), thinking(number, scene.now)
     piece = next_turn(turns)
     while piece < pieces:
-        begin, end = number * piece // pieces, number * (piece + 1) // pieces
-        think_some(scene, begin, end, minds, thoughts, attention, piece)
+        first = begin + (end - begin) * piece // pieces
+        last = begin + (end - begin) * (piece + 1) // pieces
+        think_some(scene, first, last, mine, minds, thoughts, attention, piece)
         piece = next_turn(turns)
 
 
@@ -131,10 +132,15 @@ def think_serially(
     thoughts: Thoughts, attention: Attention,
 ) -> None:  # fmt: skip
     """Sort the fishes, look, and think, on this thread."""
-    sort_serially(number, stage.plan, stage.sorting, stage.rows, stage.crowd)
-    sum_serially(stage.plan, stage.senses.schooling, stage.crowd)
+    plan, begin_end = stage.plan, thinking(number, now)
+    sort_serially(
+        number, begin_end, plan, plan.far, plan.block, stage.sorting, stage.rows, stage.crowd
+    )
+    sum_serially(plan, stage.senses.schooling, stage.crowd)
     scene = look(stage, now, seed, number, particles, submarines)
-    think_some(scene, 0, number, minds, thoughts, attention, 0)
+    think_some(
+        scene, begin_end[0], begin_end[1], quarter(number, now), minds, thoughts, attention, 0
+    )
 
 
 @row
@@ -143,8 +149,19 @@ def think_on_all(
     minds: Minds, thoughts: Thoughts, attention: Attention,
 ) -> None:  # fmt: skip
     """Sort the fishes, look, and think, on all threads, to the same bits as `think_serially`."""
-    sort_on_all(pieces, number, stage.plan, stage.sorting, stage.rows, stage.crowd)
-    sum_on_all(stage.plan, stage.senses.schooling, stage.crowd)
+    plan, begin_end = stage.plan, thinking(number, now)
+    sort_on_all(
+        pieces,
+        number,
+        begin_end,
+        plan,
+        plan.far,
+        plan.block,
+        stage.sorting,
+        stage.rows,
+        stage.crowd,
+    )
+    sum_on_all(plan, stage.senses.schooling, stage.crowd)
     s = look(stage, now, seed, number, particles, submarines)
     think_all(
         pieces, s.now, s.seed, s.day, s.plan, s.crowd, s.senses, s.terrain, s.habitat, s.hunters, s.food,
@@ -172,7 +189,8 @@ class Think:
         self.population, self.senses, self.terrain = population, senses, terrain
         self.submarine, self.clock = submarine, clock
         self.food, self.habitat = FoodTable() if food is None else food, habitat
-        self.grid, self.few = Grid(population, terrain, senses), Few(terrain, self.food)
+        self.grid = Grid(population, terrain, senses, habitat.visibility)
+        self.few = Few(terrain, self.food)
         self._attention, self._thoughts = make_attention(), make_thoughts()
         self._minds = Columns(Minds, population.mind, population.motor, population.fish)
         self._serially, self._on_all = Launch(think_serially), Launch(think_on_all)

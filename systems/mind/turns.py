@@ -1,7 +1,8 @@
 """Turns: who thinks in a tick, and who of them looks round (papers/000, 3.2; FINDINGS 5).
 
-A quarter of the fishes thinks in a tick, by blocks of 3 x 3 columns, so that neighbours share the look around their
-cell. Looking round for hunters, food and mates is what a thought costs: who is calm does it seldom.
+A quarter of the fishes thinks in a tick, and they stand side by side in the crowd and in its plan: neighbours share the
+look around their cell, and nobody far from them need be copied. Looking round for hunters, food and mates is what a
+thought costs: who is calm does it seldom.
 """
 
 from typing import Final
@@ -16,8 +17,14 @@ from systems.mind.scene import Minds, Scene
 LOOK_EVERY: Final = 4
 """[thoughts] between two looks round of who has no cause to look more often: .27 s."""
 
-LATE: Final = 6
-"""[ticks] after which a fish thinks halfway between two turns of where it is: it has crossed between blocks."""
+LATE: Final = 4
+"""[ticks] since its last thought after which a fish beside the quarter thinks with it: it has just left it."""
+
+_AGAIN: Final = 2
+"""[ticks] since its last thought before which nobody thinks again: it has just come from the quarter before."""
+
+_BESIDE: Final = (16, 32)
+"""Places beside the quarter at which who is late is looked for: so many, and one in so many of all."""
 
 
 @inlined
@@ -30,6 +37,22 @@ def _looks_round(now: int, identity: int, minds: Minds, i: int) -> bool:
     busy = (about == ESCAPE) | (about == MATE) | (about == LEAVE) | (minds.memory[i] >= 0)
     new = minds.thought_at[i] < 0
     return bool(busy | new | ((now // 4 + identity) % LOOK_EVERY == 0))
+
+
+@inlined
+def quarter(number: int, now: int) -> tuple[int, int]:
+    """Return begin and end of the quarter of `number` places whose turn it is to think; in a world's first tick all."""
+    if now == 0:
+        return 0, number
+    return number * (now & 3) // 4, number * ((now & 3) + 1) // 4
+
+
+@inlined
+def thinking(number: int, now: int) -> tuple[int, int]:
+    """Return begin and end of the places among which those think whose turn it is, or who is late."""
+    begin, end = quarter(number, now)
+    beside = _BESIDE[0] + number // _BESIDE[1]
+    return max(begin - beside, 0), min(end + beside, number)
 
 
 @inlined
@@ -51,27 +74,22 @@ def _ask_for(minds: Minds, i: int) -> None:
 
 @merged
 def list_turns(
-    scene: Scene, begin: int, end: int, minds: Minds, thoughts: Thoughts, row: int
-) -> tuple[int, int]:
-    """List whose turn it is among places begin..end of the crowd, at most `BATCH`, from `row` of the thoughts on.
+    scene: Scene, begin: int, end: int, mine: tuple[int, int], minds: Minds, thoughts: Thoughts,
+    row: int,
+) -> tuple[int, int]:  # fmt: skip
+    """List who thinks among places begin..end of the crowd, at most `BATCH`, from `row` of the thoughts on.
 
-    Return the row after the last, and the place from which to go on.
+    `mine` is the quarter whose turn it is. Return the row after the last, and the place from which to go on.
     """
-    crowd, side = scene.crowd, scene.plan.columns
-    here, turn, at, last, me = -1, 0, row, row + BATCH, begin
+    crowd = scene.crowd
+    again = _AGAIN if scene.now > 0 else 0
+    at, last, me = row, row + BATCH, begin
     while me < end and at < last:
-        if crowd.column[me] != here:
-            here = crowd.column[me]
-            turn = here // side // 3 + 2 * (here % side // 3) - scene.now
-            # In the first tick of all everybody thinks; later who is new waits a tick at most.
-            if turn & 1 != 0 and scene.now > 0:
-                me = min(crowd.first[here + 1], end)
-                continue
         i = crowd.row[me]
-        if turn & 3 == 0 or scene.now - minds.thought_at[i] >= LATE:
+        if scene.now - minds.thought_at[i] >= (again if mine[0] <= me < mine[1] else LATE):
             previous, target = minds.intention[i], -1
             if previous in (EAT, MATE):
-                target = place_of(scene.places, crowd.place, minds.focus[i])
+                target = place_of(scene.places, crowd, minds.focus[i])
             thoughts.me[at], thoughts.previous[at], thoughts.target[at] = me, previous, target
             thoughts.looks[at] = _looks_round(scene.now, crowd.id[me], minds, i)
             _ask_for(minds, i)

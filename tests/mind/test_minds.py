@@ -139,15 +139,6 @@ def test_a_thousand_in_one_place_part(pond: ModuleType) -> None:
     assert np.allclose((heading**2).sum(axis=1), 1.0)
 
 
-def test_a_quarter_thinks_in_a_tick_and_all_in_eight(pond: ModuleType) -> None:
-    scene = pond.Pond(600, 100, spread=10.0)
-    scene.tick(9)
-    scene.think()
-    thought_at = scene.population.mind.thought_at[:700]
-    assert 0.05 < (thought_at == 9).mean() < 0.5
-    assert thought_at.min() > 9 - 8
-
-
 def test_fishes_keep_clear_of_the_submarine(pond: ModuleType) -> None:
     scene = pond.Pond(60, submarines=1)
     scene.submarine.position[0] = (6.0, 1.0, -5.0)

@@ -20,7 +20,7 @@ def sorted_points(points: Float64s) -> Sparse:
     )  # fmt: skip
     what, keys = np.arange(number, dtype=np.int32), np.zeros(number, np.int32)
     x, y, z = np.ascontiguousarray(points.T)
-    cell, side, layers, _ = sort_sparse(room, DEPTH, 2.0, number, x, y, z, what, keys)
+    cell, side, layers, _ = sort_sparse(room, DEPTH, 2.0, number, number, x, y, z, what, keys)
     return room._replace(cell=cell, side=side, layers=layers)
 
 
