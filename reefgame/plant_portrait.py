@@ -10,7 +10,7 @@ from components.species import Species
 from reefgame.bed import growth_of
 from reefgame.content import Content
 from reefgame.content.schema.level import Level
-from reefgame.shot import picture
+from reefgame.picture import picture
 from reefgame.world import World
 from systems.view.target import UInt8s
 

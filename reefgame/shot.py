@@ -1,4 +1,4 @@
-"""Pictures taken without a window: `reefgame shot` and whoever wants one of a world."""
+"""Pictures taken without a window: `reefgame shot`."""
 
 import argparse
 
@@ -10,12 +10,14 @@ from components.clock import TICKS_PER_SECOND
 from components.fish import Population
 from components.repertoire import RepertoireLibrary, pack
 from components.species import Species
-from reefgame.console import complain, progress_bar
+from reefgame.console import progress_bar
 from reefgame.content import load_species, read_flora
 from reefgame.filming import COCKPIT_SLOPE, cockpit
 from reefgame.opening import open_level
 from reefgame.output import check_output, replacing
-from reefgame.scene import QUALITIES, Scene
+from reefgame.picture import picture
+from reefgame.plant_portrait import plant_portrait
+from reefgame.scene import QUALITIES
 from reefgame.viewpoint import viewpoint
 from reefgame.world import World
 from systems.sea.choose import Backend
@@ -24,27 +26,6 @@ from systems.view.draw_fish import DrawFish
 from systems.view.draw_water import DrawWater
 from systems.view.frame import FrameBlock, Look
 from systems.view.target import Target, UInt8s, start_drawing, stop_drawing, write_png
-
-
-def picture(
-    world: World,
-    camera: Camera,
-    width: int,
-    height: int,
-    seconds: float,
-    quality: str = "high",
-    fibres: Backend = "numba",
-) -> UInt8s:
-    """Return what `camera` sees of `world`, (height, width, 3), the top row first; `fibres` bends its plants."""
-    with Target(width, height, QUALITIES[quality].samples) as target:
-        scene = Scene(world, quality, fibres)
-        target.bind()
-        scene.draw(camera, 1.0, width, height, seconds)
-        drawn = target.read()
-        if scene.note:
-            complain(scene.note)
-        scene.delete()
-    return drawn
 
 
 def shoot(options: argparse.Namespace) -> None:
@@ -57,8 +38,6 @@ def shoot(options: argparse.Namespace) -> None:
     if options.species is not None:
         drawn = portrait(load_species(options.species, options.mod), *options.size)
     elif options.flora is not None:
-        from reefgame.plant_portrait import plant_portrait
-
         flora, company = read_flora(options.flora, options.mod), load_species("clownfish")
         drawn = plant_portrait(flora, company, *options.size)
     else:

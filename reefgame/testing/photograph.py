@@ -5,7 +5,7 @@ import numpy as np
 from components.camera import camera_towards
 from components.clock import TICKS_PER_SECOND
 from reefgame.filming import COCKPIT_SLOPE
-from reefgame.shot import picture
+from reefgame.picture import picture
 from reefgame.testing.scene import Scene
 from reefgame.testing.stage import Director, stage
 from systems.view.target import UInt8s

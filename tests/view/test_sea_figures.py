@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from reefgame.content import load
-from reefgame.shot import picture
+from reefgame.picture import picture
 from reefgame.testing import read_scene
 from reefgame.testing.photograph import photograph
 from reefgame.viewpoint import viewpoint
