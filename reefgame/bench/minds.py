@@ -41,7 +41,8 @@ GOLDEN: Final = 2.399963
 
 _SHARES: Final = {Role.PREY: 0.7, Role.PREDATOR: 0.01}
 _BOUNDS: Final = {10_000: 8.0, 50_000: 1.5, 100_000: 0.8}
-_WARM_TICKS: Final = 3 * TICKS_PER_SECOND
+_WARM_SECONDS: Final = 3
+_LATER_SECONDS: Final = 120
 _TREE_ROUNDS: Final = 5
 _TURN_SECONDS: Final = 0.05
 _LIVED: Final = """
@@ -111,19 +112,23 @@ def measure() -> Iterator[Case]:
     yield from _against_tree()
     yield from _parts()
     for fishes, least in _BOUNDS.items():
-        world = _lived(fishes)
-        (second,) = in_turn((partial(_second, world.systems, world.clock),))
-        tick = second / TICKS_PER_SECOND
-        yield _over_real(f"part=full fishes={fishes}", tick, f"ratio >= {least:g}")
+        yield _full(f"part=full fishes={fishes}", _lived(fishes), f"ratio >= {least:g}")
+    later = _lived(10_000, _LATER_SECONDS)
+    yield _full(f"part=full fishes=10000 after={_LATER_SECONDS}s", later)
     yield _memory()
 
 
-def _lived(fishes: int) -> World:
-    """Return the scene after some seconds, when schools have settled."""
+def _lived(fishes: int, seconds: int = _WARM_SECONDS) -> World:
+    """Return the scene when schools have settled; two minutes later all have met the hunters."""
     world = reef(fishes)
-    for _ in range(_WARM_TICKS):
+    for _ in range(seconds * TICKS_PER_SECOND):
         world.tick()
     return world
+
+
+def _full(case: str, world: World, bound: str = "") -> Case:
+    (second,) = in_turn((partial(_second, world.systems, world.clock),))
+    return _over_real(case, second / TICKS_PER_SECOND, bound)
 
 
 def _second(systems: tuple[System, ...], clock: Clock) -> None:

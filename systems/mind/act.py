@@ -15,7 +15,7 @@ from components.kernels import inlined, merged, row
 from components.mind import FOOD, SUBMARINE, Courtship, Role
 from components.vector import level_off, point
 from systems.mind.attention import Attention, Thoughts
-from systems.mind.behave.avoid_fish import avoid_fish, avoid_submarine
+from systems.mind.behave.avoid_fish import avoid_fish, avoid_submarine, jostle
 from systems.mind.behave.avoid_static_obstacle import avoid_static_obstacle, choose_side
 from systems.mind.behave.eat import eat
 from systems.mind.behave.escape import escape, find_shelter
@@ -286,6 +286,8 @@ def _act_one(
             now, minds.wander_until[i], minds.wander[i], out,
         )  # fmt: skip
         gear = max(gear, 1) if intention == EAT else gear
+    if intention in (SCHOOL, ESCAPE):
+        jostle(crowd, me, thoughts.near[k], thoughts.distance[k], thoughts.found[k], out)
     if calm:
         _stay_in_range(terrain.radius, x, y, z, low, high, out)
     if thoughts.predator[k] >= 0 and (calm or intention in (EAT, MATE)) and intention != SCHOOL:

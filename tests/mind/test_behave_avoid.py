@@ -5,9 +5,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
 from components.arrays import Float64s
-from systems.mind.behave.avoid_fish import avoid_fish, avoid_submarine
+from systems.mind.behave.avoid_fish import avoid_fish, avoid_submarine, jostle
 from systems.mind.behave.avoid_static_obstacle import avoid_static_obstacle, choose_side
 from systems.motor.choose import MORTAL
 
@@ -129,3 +132,43 @@ def test_a_fish_turns_from_the_submarine(tank: ModuleType) -> None:
     scene = pair(tank, (9.0, 0.0, 0.0), (1.0, 0.0, 0.0))
     avoid_submarine(scene.crowd, 0, np.array([-2.0, 0.5, 0.0]), 0.2, scene.out)
     assert scene.out[0] < 0.0 < scene.out[1]
+
+
+def jostled(tank: ModuleType, others: Float64s, wanted: Float64s) -> Float64s:
+    """Return what a fish at (0, 0, -5) wants that wanted a direction and has neighbours at some offsets [m]."""
+    number = len(others) + 1
+    place = np.vstack([np.zeros(3), others]) + np.array([0.0, 0, -5])
+    scene = tank.Tank(
+        place,
+        np.tile([1.0, 0, 0], (number, 1)),
+        np.full(number, LENGTH),
+        np.tile(TANG, (number, 1)),
+    )
+    near, square = scene.nearest(0, np.arange(number))
+    out = wanted.copy()
+    jostle(scene.crowd, 0, near, square, min(number - 1, 8), out)
+    return out
+
+
+@given(
+    place=arrays(float, 3, elements=st.floats(-0.09, 0.09)),
+    wanted=arrays(float, 3, elements=st.floats(-3.0, 3.0)),
+)
+def test_who_is_pressed_leans_away_and_the_harder_it_wants_the_harder(
+    tank: ModuleType, place: Float64s, wanted: Float64s
+) -> None:
+    assume(np.linalg.norm(place) > 1e-3)
+    away = -place / np.linalg.norm(place)
+    push = jostled(tank, place[None], wanted) - wanted
+    size = float(np.linalg.norm(push))
+    np.testing.assert_allclose(push, size * away, atol=1e-9)
+    share = 2.0 * (1.0 - float(np.linalg.norm(place)) / (0.6 * LENGTH))
+    assert size == pytest.approx(max(share, 0.0) * float(np.linalg.norm(wanted)), abs=1e-6)
+
+
+def test_who_has_room_is_not_jostled_and_who_is_shut_in_evenly_goes_on(tank: ModuleType) -> None:
+    wanted, side = np.array([1.0, 0.2, 0.0]), np.array([[0.0, 0.1, 0.0], [0.0, -0.1, 0.0]])
+    assert jostled(tank, 1.6 * side, wanted).tolist() == wanted.tolist()
+    assert jostled(tank, np.zeros((0, 3)), wanted).tolist() == wanted.tolist()
+    np.testing.assert_allclose(jostled(tank, side, wanted), wanted, atol=1e-9)
+    assert jostled(tank, side[:1], wanted)[1] < -0.2

@@ -136,6 +136,22 @@ def test_who_is_afraid_closes_ranks(tank: ModuleType) -> None:
     assert drawn(1.0) > drawn(0.0) + 0.02
 
 
+def test_a_small_shoal_draws_its_members_and_a_large_one_lets_cohorts_travel(
+    tank: ModuleType,
+) -> None:
+    def northward(number: float) -> float:
+        scene, shoal = one(tank), np.array([0.0, 5.0, 0.0, 0.0, 1.0, 0.0])
+        school(
+            scene.crowd, 0, np.zeros(8, np.int64), np.zeros(8), 0, shoal, number, 0.23, 0.0, -20.0,
+            -5.0, 1, 0.0, np.zeros(7), np.zeros(3), 0.0, scene.out,
+        )  # fmt: skip
+        return float(scene.out[1])
+
+    assert northward(24.0) == northward(100.0) > 0.3
+    assert northward(1000.0) < -0.1
+    assert northward(4000.0) < northward(1000.0)
+
+
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_each_gives_way_to_its_own_side_then_goes_back_along_the_path(
     tank: ModuleType, side: float

@@ -3,7 +3,7 @@
 from math import sqrt
 from typing import Final
 
-from components.arrays import Float64s
+from components.arrays import Float64s, Int64s
 from components.kernels import row
 from systems.mind.crowd import Crowd
 from systems.mind.perceive import HORIZON
@@ -11,6 +11,9 @@ from systems.mind.perceive import HORIZON
 _SWERVE: Final = 1.2
 _FOLLOWING: Final = 0.5
 _CREEP: Final = 0.3
+_ROOM: Final = 0.6
+"""[BL] within which neighbours are in each other's way."""
+_JOSTLE: Final = 2.0
 
 
 @row
@@ -68,3 +71,25 @@ def avoid_submarine(
     out[1] = 0.7 * crowd.hy[me] + push * away[1]
     out[2] = 0.7 * crowd.hz[me] + 0.5 * push * away[2]
     return (2 if soon > 0.4 else 1), 0.3 + 0.5 * soon, 1.0
+
+
+@row
+def jostle(
+    crowd: Crowd, me: int, near: Int64s, distance: Float64s, found: int, out: Float64s
+) -> None:
+    """Lean the wanted direction, (3,), away from neighbours who are too near for a body, whatever drives it.
+
+    `near` are places in the crowd, `distance` squares [m^2], nearest first: `found` of each. Without this a school
+    that flees, or is shut in by predators, is pressed into itself.
+    """
+    room = _ROOM * crowd.length[me]
+    x = y = z = 0.0
+    for k in range(found):
+        if distance[k] >= room * room:
+            break
+        other, push = near[k], 1.0 / (sqrt(distance[k]) + 1e-9) - 1.0 / room
+        x += push * (crowd.x[me] - crowd.x[other])
+        y += push * (crowd.y[me] - crowd.y[other])
+        z += push * (crowd.z[me] - crowd.z[other])
+    size = _JOSTLE * sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2])
+    out[0], out[1], out[2] = out[0] + size * x, out[1] + size * y, out[2] + size * z

@@ -11,6 +11,7 @@ from components.arrays import Float64s, Int64s
 from components.chance import PANIC, uniform
 from components.ground import Terrain
 from components.kernels import inlined, row
+from systems.mind.behave.school import attraction
 from systems.mind.crowd import Crowd
 
 ZIGZAG_TICKS: Final = 40
@@ -187,7 +188,7 @@ def escape(
             )
             return 0, 0.5, 0.2
     elif number > 0.0:
-        share = _JOIN * (1.0 - near) - _SCATTER * max(near - 0.4, 0.0)
+        share = _JOIN * attraction(number) * (1.0 - near) - _SCATTER * max(near - 0.4, 0.0)
         _pull(share, shoal[0], shoal[1], shoal[2], out)
     if room < _UPON:
         return 2, START, 1.2

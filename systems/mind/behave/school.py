@@ -32,6 +32,7 @@ _ALIGNMENT: Final = 1.0
 _COHESION: Final = 0.45
 _SHOAL: Final = 0.45
 _SHOAL_HEADING: Final = 0.3
+_ENOUGH: Final = 100.0
 _ROAM: Final = 0.3
 _BEHIND: Final = 0.4
 _AHEAD: Final = -0.35
@@ -80,6 +81,15 @@ def _gear(previous: int, along: float) -> int:
     if along < _AHEAD or (previous == 0 and along < -_SETTLED):
         return 0
     return 1
+
+
+@inlined
+def attraction(number: float) -> float:
+    """Return how strongly a shoal of `number`, at least 1, draws its members, 0 to 1.
+
+    A hundred are enough: where every fish more drew too, all schools of a sea would fall into one.
+    """
+    return min(_ENOUGH / number, 1.0)
 
 
 @inlined
@@ -218,10 +228,11 @@ def school(
     x, y, z, along, crowding = keep_company(crowd, me, near, distance, found, spacing)
     if number > 0.0:
         far = sqrt(shoal[0] * shoal[0] + shoal[1] * shoal[1] + shoal[2] * shoal[2]) + 1e-9
-        pull = _SHOAL * min(far / (8.0 * spacing), 1.0) / far
-        x += pull * shoal[0] + _SHOAL_HEADING * shoal[3]
-        y += pull * shoal[1] + _SHOAL_HEADING * shoal[4]
-        z += pull * shoal[2] + _SHOAL_HEADING * shoal[5]
+        drawn = attraction(number)
+        pull, turn = _SHOAL * drawn * min(far / (8.0 * spacing), 1.0) / far, _SHOAL_HEADING * drawn
+        x += pull * shoal[0] + turn * shoal[3]
+        y += pull * shoal[1] + turn * shoal[4]
+        z += pull * shoal[2] + turn * shoal[5]
         along = _behind(crowd, me, shoal, number, spacing)
         if found == 0:
             along = 1.0 if along > 0.0 else -1.0
