@@ -167,7 +167,7 @@ def _avoid(
     return 1, 0.2, 1.0
 
 
-@row
+@inlined
 def heed_worst(
     crowd: Crowd, me: int, predator: int, scare: float, away: Float64s, velocity: Float64s,
     danger: Float64s,

@@ -4,7 +4,7 @@ from math import sqrt
 from typing import Final
 
 from components.arrays import Float64s, Int64s
-from components.kernels import row
+from components.kernels import inlined, row
 from systems.mind.crowd import Crowd
 from systems.mind.perceive import HORIZON
 
@@ -73,7 +73,7 @@ def avoid_submarine(
     return (2 if soon > 0.4 else 1), 0.3 + 0.5 * soon, 1.0
 
 
-@row
+@inlined
 def jostle(
     crowd: Crowd, me: int, near: Int64s, distance: Float64s, found: int, out: Float64s
 ) -> None:
@@ -83,6 +83,8 @@ def jostle(
     that flees, or is shut in by predators, is pressed into itself.
     """
     room = _ROOM * crowd.length[me]
+    if found == 0 or distance[0] >= room * room:
+        return
     x = y = z = 0.0
     for k in range(found):
         if distance[k] >= room * room:
