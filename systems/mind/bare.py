@@ -64,13 +64,13 @@ def flock_all(
 ) -> None:  # fmt: skip
     """Let those of places begin..end school, on all threads."""
     turns = first_turn()
-    for _ in numba.prange(pieces):
-        piece = next_turn(turns)
+    for share in numba.prange(pieces):
+        piece = next_turn(turns, share, pieces)
         while piece < pieces:
             first = begin + (end - begin) * piece // pieces
             last = begin + (end - begin) * (piece + 1) // pieces
             flock_some(first, last, plan, crowd, senses, heading, gear, attention, piece)
-            piece = next_turn(turns)
+            piece = next_turn(turns, share, pieces)
 
 
 @row

@@ -205,13 +205,13 @@ def copy_all(
 ) -> None:
     """Copy the columns that begin within begin..end on all threads, a share to each of `pieces`."""
     turns = first_turn()
-    for _ in numba.prange(pieces):
-        piece = next_turn(turns)
+    for share in numba.prange(pieces):
+        piece = next_turn(turns, share, pieces)
         while piece < pieces:
             first = begin + (end - begin) * piece // pieces
             last = begin + (end - begin) * (piece + 1) // pieces
             copy_columns(first, last, number, sorting, rows, crowd)
-            piece = next_turn(turns)
+            piece = next_turn(turns, share, pieces)
 
 
 def make_sorting(capacity: int) -> Sorting:

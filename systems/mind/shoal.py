@@ -66,11 +66,11 @@ def sum_serially(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
 def sum_on_all(plan: Plan, schooling: Int8s, crowd: Crowd) -> None:
     """Sum the shoals of a crowd's stretch on all threads; `schooling` is per species, (S,)."""
     turns, first, end = first_turn(), crowd.stretch[2], crowd.stretch[3]
-    for _ in numba.prange(end - first):
-        strip = first + next_turn(turns)
+    for share in numba.prange(end - first):
+        strip = first + next_turn(turns, share, end - first)
         while strip < end:
             _sum_strip(strip, plan, schooling, crowd)
-            strip = first + next_turn(turns)
+            strip = first + next_turn(turns, share, end - first)
 
 
 @inlined

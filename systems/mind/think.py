@@ -74,17 +74,17 @@ def think_some(
 
 @row
 def think_in_turn(
-    scene: Scene, pieces: int, turns: int, number: int, minds: Minds, thoughts: Thoughts,
+    scene: Scene, pieces: int, turns: int, share: int, number: int, minds: Minds, thoughts: Thoughts,
     attention: Attention,
 ) -> None:  # fmt: skip
     """Let one piece after the other of those who think do so, as long as there is one."""
     mine, (begin, end) = quarter(number, scene.now), thinking(number, scene.now)
-    piece = next_turn(turns)
+    piece = next_turn(turns, share, pieces)
     while piece < pieces:
         first = begin + (end - begin) * piece // pieces
         last = begin + (end - begin) * (piece + 1) // pieces
         think_some(scene, first, last, mine, minds, thoughts, attention, piece)
-        piece = next_turn(turns)
+        piece = next_turn(turns, share, pieces)
 
 
 @loop
@@ -118,12 +118,12 @@ def think_all(
     The scene comes in its parts: numba takes no tuple of tuples into prange.
     """
     turns = first_turn()
-    for _ in numba.prange(pieces):
+    for share in numba.prange(pieces):
         scene = Scene(
             now, seed, day, plan, crowd, senses, terrain, habitat, hunters, food, willing, places,
             submarine, submarine_velocity, submarines, food_position, food_last, there,
         )  # fmt: skip
-        think_in_turn(scene, pieces, turns, number, minds, thoughts, attention)
+        think_in_turn(scene, pieces, turns, share, number, minds, thoughts, attention)
 
 
 @row

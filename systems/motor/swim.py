@@ -11,7 +11,7 @@ import numba
 from components.arrays import Float64s
 from components.ground import Terrain
 from components.kernel_turns import first_turn, next_turn
-from components.kernels import Launch, loop, row
+from components.kernels import Launch, inlined, loop, row
 from systems.motor.bound import Bound, Bounded, bound_some
 from systems.motor.choose import Gaits
 from systems.motor.columns import Bodies, Motors
@@ -23,6 +23,7 @@ PARALLEL_FROM: Final = 500
 """Fishes from which two threads are worth their launch."""
 
 CHUNKS: Final = 64
+_EIGHTH: Final = CHUNKS // 8
 
 
 @row
@@ -37,6 +38,18 @@ def swim_rows(
     move_rows(first, last, bodies, motors, track, terrain)
 
 
+@inlined
+def place_of_turn(chunk: int) -> int:
+    """Return the place of a chunk among the rows: the first halves of all quarters come first, then the second halves.
+
+    Minds think quarter by quarter, one thread from its front, one from its back (systems/mind/turns.py): so a fish
+    swims on the thread that it thinks on.
+    """
+    half = CHUNKS // 2
+    eighth, inside = 2 * (chunk % half // _EIGHTH) + chunk // half, chunk % _EIGHTH
+    return eighth * _EIGHTH + inside
+
+
 @loop
 def swim_parallel(
     count: int, terrain: Terrain, girth: Float64s, bounded: Bounded, controlled: Controlled,
@@ -44,15 +57,16 @@ def swim_parallel(
 ) -> None:  # fmt: skip
     """Bound, control and move `count` fishes on all threads, to the same bits as `swim_rows`."""
     turns = first_turn()
-    for _ in numba.prange(CHUNKS):
-        chunk = next_turn(turns)
+    for share in numba.prange(CHUNKS):
+        chunk = next_turn(turns, share, CHUNKS)
         while chunk < CHUNKS:
-            first, last = chunk * count // CHUNKS, (chunk + 1) * count // CHUNKS
+            place = place_of_turn(chunk)
+            first, last = place * count // CHUNKS, (place + 1) * count // CHUNKS
             swim_rows(
                 first, last, terrain, girth, bounded, controlled, gaits, seed, tick, bodies, motors,
                 track,
             )  # fmt: skip
-            chunk = next_turn(turns)
+            chunk = next_turn(turns, share, CHUNKS)
 
 
 class Swim:
